@@ -1,0 +1,3 @@
+//! Fixed-point formats.
+mod column;
+pub use column::Column;

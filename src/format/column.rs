@@ -1,0 +1,33 @@
+//! One column of a vector file, and one port of a machine.
+
+use serde::{Deserialize, Serialize};
+
+/// A fixed-point column: everything a bench, a package or a wave viewer has to know of one word.
+///
+/// Manifest, packages, testbenches, waveforms and `verify` all derive from lists of these.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Column {
+    /// Field name, a lower-case identifier in every target language.
+    pub name: String,
+    /// Width in bits, 1 to 128; the text form is padded to whole nibbles.
+    pub width: u32,
+    /// Whether the pattern is two's complement.
+    pub signed: bool,
+    /// Fraction bits below the binary point.
+    pub fraction: u32,
+    /// One sentence for people.
+    pub meaning: String,
+}
+
+impl Column {
+    /// A column of the given shape.
+    pub fn new(name: &str, width: u32, signed: bool, fraction: u32, meaning: &str) -> Self {
+        Self { name: name.to_owned(), width, signed, fraction, meaning: meaning.to_owned() }
+    }
+
+    /// Hexadecimal digits of one word: the width padded to whole nibbles.
+    pub fn digits(&self) -> usize {
+        self.width.div_ceil(4) as usize
+    }
+}

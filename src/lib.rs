@@ -1,0 +1,2 @@
+//! guardbit
+pub mod format;
