@@ -1,3 +1,14 @@
-//! Fixed-point formats.
+//! Fixed-point formats: where the binary point stands, how guard bits decode, how many bits a
+//! quantity gets. Spec clauses `F-*` (formats) and `G-*` (guard clamp).
+
+mod budget;
 mod column;
+mod fixed;
+mod q;
+mod readout;
+
+pub use self::fixed::Fixed;
+pub use budget::Budget;
 pub use column::Column;
+pub use q::{Format, Q, QFormat, QFormatError};
+pub use readout::{Clamp, Decode, ReadOut, ReadOutError};

@@ -1,2 +1,5 @@
 //! guardbit
+pub mod bits;
+pub mod dda;
 pub mod format;
+pub mod measure;

@@ -1,1 +1,2 @@
+//! The `guardbit` command.
 fn main() {}

@@ -1,0 +1,18 @@
+//! Words of 1 to 128 bits, the roundings, and the numeric events that operations report.
+//!
+//! Ground floor: everything above moves these words about, and nothing here knows of triangles.
+//! Spec clauses `W-*` (words), `R-*` (rounding) and `V-*` (events).
+
+mod event;
+mod lane;
+mod round;
+mod status;
+mod text;
+mod word;
+
+pub use event::{EventLog, Events, Extent, Place, SpanEvents};
+pub use lane::Lane;
+pub use round::{Rounding, RoundingNames};
+pub use status::{Event, Status};
+pub use text::{hex, push_hex, push_hex_narrow};
+pub use word::{Bits, RunTime, Width, WidthError, Word};

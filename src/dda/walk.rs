@@ -1,0 +1,98 @@
+//! The register-transfer view of a planar DDA: one operation a clock. Spec clause `D-4`.
+
+use crate::bits::Status;
+use crate::format::{Clamp, ReadOut};
+
+/// What the DDA does at a clock edge; the discriminants are the codes of vector files.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Op {
+    /// Take the start value.
+    Load = 0,
+    /// Add the x slope.
+    StepX = 1,
+    /// Add the y slope.
+    StepY = 2,
+    /// Keep the accumulator.
+    Hold = 3,
+}
+
+impl Op {
+    /// The operation with this code; only the low two bits count.
+    pub const fn from_code(code: u64) -> Self {
+        match code & 3 {
+            0 => Self::Load,
+            1 => Self::StepX,
+            2 => Self::StepY,
+            _ => Self::Hold,
+        }
+    }
+}
+
+/// A DDA register with its read-out, clocked by [`Op`]s, for any clamp mode, the sticky one
+/// included. Plain `i128` arithmetic mod 2^N.
+#[derive(Clone, Copy, Debug)]
+pub struct Walker {
+    read: ReadOut,
+    start: i128,
+    dx: i128,
+    dy: i128,
+    accumulator: i128,
+}
+
+impl Walker {
+    /// A walker over words of the read-out's width; arguments are taken mod 2^N, slopes signed.
+    pub fn new(read: ReadOut, start: i128, dx: i128, dy: i128) -> Self {
+        let signed = |value: i128| {
+            let unused = 128 - read.width();
+            value << unused >> unused
+        };
+        let (dx, dy) = (signed(dx), signed(dy));
+        let start = Self::held(read, start);
+        Self { read, start, dx, dy, accumulator: start }
+    }
+
+    fn held(read: ReadOut, start: i128) -> i128 {
+        if read.clamp() == Clamp::Saturate {
+            let unused = 128 - read.width();
+            read.saturating_step(start << unused >> unused, 0)
+        } else {
+            start
+        }
+    }
+
+    /// One clock edge.
+    #[inline]
+    pub fn clock(&mut self, op: Op) {
+        let step = match op {
+            Op::Load => {
+                self.accumulator = self.start;
+                return;
+            }
+            Op::StepX => self.dx,
+            Op::StepY => self.dy,
+            Op::Hold => return,
+        };
+        self.accumulator = if self.read.clamp() == Clamp::Saturate {
+            self.read.saturating_step(self.accumulator, step)
+        } else {
+            self.accumulator.wrapping_add(step)
+        };
+    }
+
+    /// The accumulator's pattern, N bits, zero-extended.
+    #[inline]
+    pub fn pattern(&self) -> u128 {
+        self.accumulator.cast_unsigned() & ((1 << self.read.width()) - 1)
+    }
+
+    /// The clamped read-out.
+    #[inline]
+    pub fn out(&self) -> u64 {
+        self.read.read(self.accumulator)
+    }
+
+    /// The events of the unwrapped accumulator.
+    pub fn status(&self) -> Status {
+        self.read.status(self.accumulator)
+    }
+}

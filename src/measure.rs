@@ -1,0 +1,3 @@
+//! Measurement: error against the exact truth, and speed as ratios within one run.
+
+pub mod speed;
