@@ -3,3 +3,4 @@ pub mod bits;
 pub mod dda;
 pub mod format;
 pub mod measure;
+pub mod setup;

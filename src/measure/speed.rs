@@ -158,8 +158,8 @@ fn versus(repeats: usize, mut plain: impl FnMut() -> u64, mut fast: impl FnMut()
 /// Measures every kernel at every processor level of this machine, on one thread.
 pub fn measure(repeats: usize) -> Report {
     let read = depth_format();
-    let plain_plane = PLANE.map(|word| word as i64);
-    let plain_words = edges(|value| value as i64);
+    let plain_plane = PLANE.map(i64::truncate);
+    let plain_words = edges(i64::truncate);
     let lanes = edges(|value| i64::justify(value, 35));
     let mut rows = Vec::new();
     for processor in Processor::available() {
@@ -202,11 +202,11 @@ mod tests {
     #[test]
     fn fast_and_plain_do_the_same_work() {
         let read = depth_format();
-        let expected = plain_depth(read, PLANE.map(|word| word as i64), SIZE);
+        let expected = plain_depth(read, PLANE.map(i64::truncate), SIZE);
         for processor in Processor::available() {
             assert_eq!(fast_depth(processor, read, true).0, expected, "{}", processor.name());
             let covered = count_inside(processor, edges(|v| i64::justify(v, 35)), SIZE);
-            assert_eq!(covered, plain_edges(edges(|v| v as i64), 35, SIZE), "{}", processor.name());
+            assert_eq!(covered, plain_edges(edges(i64::truncate), 35, SIZE), "{}", processor.name());
             assert!(covered > 100_000, "the triangle covers a good part of the window");
         }
         let log = fast_depth(Processor::best(), read, true).1;

@@ -1,0 +1,14 @@
+//! Set-up: snapping, exact edge coefficients, plane gradients and the division behind them.
+//! A toolbox for machines, not a stage before them. Spec clauses `S-*`.
+
+mod divide;
+mod edge;
+mod plane;
+mod snap;
+mod triangle;
+
+pub use divide::{Divider, Division, DivisionError};
+pub use edge::{EdgeCoefficients, edges};
+pub use plane::{Gradient, Plane};
+pub use snap::{snap_f64, snap_fixed, Endless, Source, VertexConfig, VertexError};
+pub use triangle::Triangle;
