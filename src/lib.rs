@@ -3,4 +3,5 @@ pub mod bits;
 pub mod dda;
 pub mod format;
 pub mod measure;
+pub mod scene;
 pub mod setup;

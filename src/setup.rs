@@ -10,5 +10,5 @@ mod triangle;
 pub use divide::{Divider, Division, DivisionError};
 pub use edge::{EdgeCoefficients, edges};
 pub use plane::{Gradient, Plane};
-pub use snap::{snap_f64, snap_fixed, Endless, Source, VertexConfig, VertexError};
+pub use snap::{Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed};
 pub use triangle::Triangle;

@@ -1,6 +1,9 @@
 //! The dispatched kernels. Generic over the lane only: width and mode are data.
 //! Each has a plain twin in [`super::twin`] and a property test that ties the two.
-#![allow(clippy::needless_range_loop, reason = "parallel arrays by index are what the vectoriser sees through")]
+#![allow(
+    clippy::needless_range_loop,
+    reason = "parallel arrays by index are what the vectoriser sees through"
+)]
 
 use super::processor::Processor;
 use crate::bits::Lane;
@@ -27,7 +30,13 @@ fn ramp<L: Lane>(slope: L) -> [L; BLOCK] {
 /// Formats: lane words as [`Decode::load`] and [`Decode::slope`] make them; results unsigned.
 /// Twin: [`super::twin::row_values`].
 #[inline]
-pub fn row_values<L: Lane>(processor: Processor, decode: Decode<L>, start: L, slope: L, out: &mut [u64]) {
+pub fn row_values<L: Lane>(
+    processor: Processor,
+    decode: Decode<L>,
+    start: L,
+    slope: L,
+    out: &mut [u64],
+) {
     dispatch!(processor.level(), _simd => row_values_body(decode, start, slope, out));
 }
 

@@ -28,6 +28,8 @@ pub fn row_inside(edges: Edges<i128>, width: u32, count: u32) -> Vec<bool> {
     let unused = 128 - width;
     let sign_clear = |value: i128| value << unused >= 0;
     (0..i128::from(count))
-        .map(|x| (0..3).all(|k| sign_clear(edges.value[k].wrapping_add(edges.step_x[k].wrapping_mul(x)))))
+        .map(|x| {
+            (0..3).all(|k| sign_clear(edges.value[k].wrapping_add(edges.step_x[k].wrapping_mul(x))))
+        })
         .collect()
 }

@@ -87,7 +87,12 @@ impl ReadOut {
     ///
     /// # Errors
     /// [`ReadOutError`] unless `1 <= integer <= 64` and `guard + integer + fraction <= 120`.
-    pub fn new(guard: u32, integer: u32, fraction: u32, clamp: Clamp) -> Result<Self, ReadOutError> {
+    pub fn new(
+        guard: u32,
+        integer: u32,
+        fraction: u32,
+        clamp: Clamp,
+    ) -> Result<Self, ReadOutError> {
         if !(1..=64).contains(&integer) {
             return Err(ReadOutError::Integer { integer });
         }
@@ -178,8 +183,12 @@ impl ReadOut {
     pub const fn status(self, unwrapped: i128) -> Status {
         let (lowest, limit) = self.range();
         let mut status = Status::when(Event::Wrap, unwrapped < lowest || unwrapped >= limit);
-        status = Status::union(status, Status::when(Event::ClampAbove, self.clamps() && unwrapped >= self.top()));
-        status = Status::union(status, Status::when(Event::ClampBelow, self.clamps() && unwrapped < 0));
+        status = Status::union(
+            status,
+            Status::when(Event::ClampAbove, self.clamps() && unwrapped >= self.top()),
+        );
+        status =
+            Status::union(status, Status::when(Event::ClampBelow, self.clamps() && unwrapped < 0));
         Status::union(
             status,
             Status::when(Event::Inexact, unwrapped & ((1 << self.fraction) - 1) != 0),

@@ -132,7 +132,11 @@ fn edges<L: Lane>(justify: impl Fn(i128) -> L) -> Edges<L> {
 }
 
 /// Runs `plain` and `fast` in turn and returns (median fast ns, median plain ns, median ratio).
-fn versus(repeats: usize, mut plain: impl FnMut() -> u64, mut fast: impl FnMut() -> u64) -> [f64; 3] {
+fn versus(
+    repeats: usize,
+    mut plain: impl FnMut() -> u64,
+    mut fast: impl FnMut() -> u64,
+) -> [f64; 3] {
     let samples = f64::from(SIZE.0) * f64::from(SIZE.1);
     let time = |work: &mut dyn FnMut() -> u64| {
         let begin = Instant::now();
@@ -186,7 +190,8 @@ pub fn measure(repeats: usize) -> Report {
             ),
         );
     }
-    let last = |kernel| rows.iter().rev().find(|row| row.kernel == kernel).map_or(f64::NAN, |r| r.ratio);
+    let last =
+        |kernel| rows.iter().rev().find(|row| row.kernel == kernel).map_or(f64::NAN, |r| r.ratio);
     let ratios = Ratios {
         depth_walk: last("depth_walk"),
         depth_walk_logged: last("depth_walk_logged"),
@@ -206,7 +211,12 @@ mod tests {
         for processor in Processor::available() {
             assert_eq!(fast_depth(processor, read, true).0, expected, "{}", processor.name());
             let covered = count_inside(processor, edges(|v| i64::justify(v, 35)), SIZE);
-            assert_eq!(covered, plain_edges(edges(i64::truncate), 35, SIZE), "{}", processor.name());
+            assert_eq!(
+                covered,
+                plain_edges(edges(i64::truncate), 35, SIZE),
+                "{}",
+                processor.name()
+            );
             assert!(covered > 100_000, "the triangle covers a good part of the window");
         }
         let log = fast_depth(Processor::best(), read, true).1;

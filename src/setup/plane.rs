@@ -63,9 +63,7 @@ impl Plane {
         let offset = gradient.x * (sample[0] - x0) + gradient.y * (sample[1] - y0);
         let start = match division {
             // The exact plane, rounded once.
-            Division::Quotient => {
-                divider.apply(z0 * gradient.area2 + offset, fraction, rounding).0
-            }
+            Division::Quotient => divider.apply(z0 * gradient.area2 + offset, fraction, rounding).0,
             // The same reciprocal as the slopes, or the error grows with the distance from the
             // window's corner instead of the triangle's size.
             Division::Reciprocal { .. } => {

@@ -146,7 +146,10 @@ impl VertexConfig {
         let (vertex, axis) = place;
         let value = match self.source {
             Source::F64 => value,
-            #[allow(clippy::cast_possible_truncation, reason = "the rounding to binary32 is the point")]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "the rounding to binary32 is the point"
+            )]
             Source::F32 => f64::from(value as f32),
         };
         let snapped = snap_f64(value, fraction, self.snap);

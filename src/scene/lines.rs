@@ -1,0 +1,256 @@
+//! JSON Lines: the form in which `guardbit eval` is asked, and scenes are stored.
+//!
+//! One object a line, with an optional `id` (any JSON value) and exactly one of
+//!
+//! | key | value | meaning |
+//! | --- | --- | --- |
+//! | `v` | `[[x,y,z],[x,y,z],[x,y,z]]` | integers: sub-pixels of the profile's lattice, depth ULPs |
+//! | `f` | the same | reals: pixels, depth ULPs; or `{"bits": "7fc00000"}`, 8 hex digits for binary32, 16 for binary64 |
+//! | `words` | `["...", ...]` | raw set-up registers in the profile's radix |
+//! | `line` | `[[x,y],[x,y]]` | integers, as for `v` |
+//! | `point` | `[x,y]` | integers, as for `v` |
+//!
+//! z may be left out, for all three vertices at once. An integer is a plain JSON number or a string
+//! of decimal digits, and never passes through a double.
+
+mod number;
+mod object;
+mod write;
+
+use serde_json::value::RawValue;
+
+use super::Triangle;
+use number::{integer, list, real, triple, word};
+pub use write::to_line;
+
+/// One line, read.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Request {
+    /// The `id` as raw JSON text, just as it was written.
+    pub id: Option<String>,
+    /// What the line asks to draw.
+    pub primitive: Primitive,
+}
+
+/// What a line asks to draw.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Primitive {
+    /// `v` or `f`.
+    Triangle(Triangle),
+    /// `words`: raw set-up registers, digits unread.
+    Words(Vec<String>),
+    /// `line`: two end points in sub-pixels.
+    Line([[i128; 2]; 2]),
+    /// `point`: x, y in sub-pixels.
+    Point([i128; 2]),
+}
+
+/// A line that cannot be read: where in it, and why.
+///
+/// The line's own number is the caller's, who alone knows it.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{place}: {fault}")]
+pub struct LineError {
+    /// The `id` as raw JSON text, where the line was a JSON object that had one.
+    pub id: Option<String>,
+    /// Where: a field such as ``field `v[1][0]` ``, or a column where the line is not JSON.
+    pub place: String,
+    /// Why.
+    pub fault: Fault,
+}
+
+/// What can be wrong with a line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Fault {
+    /// Not JSON at all.
+    #[error("not JSON: {0}")]
+    Syntax(String),
+    /// A value of the wrong kind.
+    #[error("{need} is needed, got {got}")]
+    Kind {
+        /// What the field takes.
+        need: &'static str,
+        /// The start of what it got.
+        got: String,
+    },
+    /// A list of the wrong length.
+    #[error("{need}, got {got}")]
+    Count {
+        /// How many there should be.
+        need: &'static str,
+        /// How many there are.
+        got: usize,
+    },
+    /// A key nobody reads.
+    #[error("unknown key; known are id, v, f, words, line, point")]
+    UnknownKey,
+    /// A key given twice.
+    #[error("given twice; leave one")]
+    Duplicate,
+    /// Nothing to draw.
+    #[error("nothing to draw: exactly one of v, f, words, line, point is needed, got none")]
+    Nothing,
+    /// Two things to draw.
+    #[error("exactly one of v, f, words, line, point is needed, `{first}` is there too")]
+    Several {
+        /// The one that came before.
+        first: String,
+    },
+    /// z for some vertices only.
+    #[error("{got} coordinates where vertex 0 has {first}; give z for all three vertices or none")]
+    MixedDepth {
+        /// Coordinates of this vertex.
+        got: usize,
+        /// Coordinates of vertex 0.
+        first: usize,
+    },
+    /// A number with a fraction or an exponent, or no number, where an integer is needed.
+    #[error(
+        "{0} is not an integer; write decimal digits, without point or exponent (reals go in `f`)"
+    )]
+    NotInteger(String),
+    /// An integer beyond 128 bits.
+    #[error("{0} is out of range, -2^127 <= value <= 2^127 - 1 is needed")]
+    TooWide(String),
+    /// A real beyond a double.
+    #[error(
+        "{0} is out of range, |value| < 2^1024 is needed; write an infinity as {{\"bits\": \"7f800000\"}}"
+    )]
+    Overflow(String),
+    /// Not a bit pattern.
+    #[error("{0} is not a bit pattern; write 8 hex digits (binary32) or 16 (binary64)")]
+    Pattern(String),
+    /// A request that is no triangle, in a scene.
+    #[error("a scene holds triangles only, `v` or `f`")]
+    NotTriangle,
+}
+
+/// A fault and its field, before the id is known: what the readers of parts return.
+type Part<T> = Result<T, (String, Fault)>;
+
+/// Reads one line.
+///
+/// # Errors
+/// [`LineError`], with the field and, where the line was a JSON object with an `id`, the id.
+pub fn parse_line(line: &str) -> Result<Request, LineError> {
+    let (id, read) = object::members(line)
+        .map_err(|(place, fault)| LineError { id: None, place, fault })
+        .map(|members| {
+            let id = members.iter().find(|(key, _)| key == "id");
+            (id.map(|(_, raw)| raw.get().to_owned()), primitive(&members))
+        })?;
+    match read {
+        Ok(primitive) => Ok(Request { id, primitive }),
+        Err((field, fault)) => {
+            let place = if field.is_empty() { "line".into() } else { format!("field `{field}`") };
+            Err(LineError { id, place, fault })
+        }
+    }
+}
+
+/// Reads a scene: one triangle a line; empty lines count but say nothing.
+///
+/// # Errors
+/// The line's number from 1, and what is wrong with it.
+pub fn parse_scene(text: &str) -> Result<Vec<Triangle>, (usize, LineError)> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let mut triangles = Vec::new();
+    for (index, line) in text.lines().enumerate() {
+        if line.trim().is_empty() {
+            continue;
+        }
+        let Request { id, primitive } = parse_line(line).map_err(|error| (index + 1, error))?;
+        let name = match primitive {
+            Primitive::Triangle(triangle) => {
+                triangles.push(triangle);
+                continue;
+            }
+            Primitive::Words(_) => "words",
+            Primitive::Line(_) => "line",
+            Primitive::Point(_) => "point",
+        };
+        let place = format!("field `{name}`");
+        return Err((index + 1, LineError { id, place, fault: Fault::NotTriangle }));
+    }
+    Ok(triangles)
+}
+
+fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {
+    for (index, (key, _)) in members.iter().enumerate() {
+        if !["id", "v", "f", "words", "line", "point"].contains(&key.as_str()) {
+            return Err((key.clone(), Fault::UnknownKey));
+        }
+        if members.iter().take(index).any(|(before, _)| before == key) {
+            return Err((key.clone(), Fault::Duplicate));
+        }
+    }
+    let mut drawn = members.iter().filter(|(key, _)| key != "id");
+    let (key, raw) = drawn.next().ok_or((String::new(), Fault::Nothing))?;
+    if let Some((second, _)) = drawn.next() {
+        return Err((second.clone(), Fault::Several { first: key.clone() }));
+    }
+    match key.as_str() {
+        "v" => vertices(raw, "v", integer)
+            .map(|(xy, z)| Primitive::Triangle(Triangle::Lattice { xy, z })),
+        "f" => {
+            vertices(raw, "f", real).map(|(xy, z)| Primitive::Triangle(Triangle::Real { xy, z }))
+        }
+        "words" => list(raw, "words")?
+            .into_iter()
+            .enumerate()
+            .map(|(index, raw)| word(raw, &format!("words[{index}]")))
+            .collect::<Part<_>>()
+            .map(Primitive::Words),
+        "line" => match list(raw, "line")?.as_slice() {
+            [from, to] => Ok(Primitive::Line([point(from, "line[0]")?, point(to, "line[1]")?])),
+            ends => Err(count("line", "2 end points are needed", ends.len())),
+        },
+        _ => point(raw, "point").map(Primitive::Point),
+    }
+}
+
+fn count(field: &str, need: &'static str, got: usize) -> (String, Fault) {
+    (field.to_owned(), Fault::Count { need, got })
+}
+
+fn point(raw: &RawValue, field: &str) -> Part<[i128; 2]> {
+    match list(raw, field)?.as_slice() {
+        [x, y] => Ok([integer(x, &format!("{field}[0]"))?, integer(y, &format!("{field}[1]"))?]),
+        other => Err(count(field, "2 coordinates x, y are needed", other.len())),
+    }
+}
+
+/// x, y of three vertices, and z of all three where given.
+type Vertices<T> = ([[T; 2]; 3], Option<[T; 3]>);
+
+fn vertices<T: Copy>(
+    raw: &RawValue,
+    field: &str,
+    number: impl Fn(&RawValue, &str) -> Part<T>,
+) -> Part<Vertices<T>> {
+    let corners = list(raw, field)?;
+    let [first, second, third] = corners.as_slice() else {
+        return Err(count(field, "3 vertices are needed", corners.len()));
+    };
+    let read = |raw, index| triple(raw, &format!("{field}[{index}]"), &number);
+    let read = [read(first, 0)?, read(second, 1)?, read(third, 2)?];
+    let xy = read.map(|(xy, _)| xy);
+    match read.map(|(_, z)| z) {
+        [None, None, None] => Ok((xy, None)),
+        [Some(z0), Some(z1), Some(z2)] => Ok((xy, Some([z0, z1, z2]))),
+        [z0, z1, _] => {
+            let length = |z: Option<T>| if z.is_some() { 3 } else { 2 };
+            let (odd, got) =
+                if length(z1) == length(z0) { (2, 5 - length(z0)) } else { (1, length(z1)) };
+            Err((format!("{field}[{odd}]"), Fault::MixedDepth { got, first: length(z0) }))
+        }
+    }
+}
+
+#[cfg(test)]
+#[allow(
+    clippy::unwrap_used,
+    clippy::float_cmp,
+    reason = "a test may panic, and means the very bits"
+)]
+mod tests;
