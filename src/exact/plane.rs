@@ -1,0 +1,78 @@
+//! The plane through three vertex values, from the areas opposite the vertices.
+//! The oracle of spec clauses `P-*`.
+
+use super::edge::edge_value;
+use super::number::{Point, Rational, integer};
+use super::round::round;
+use crate::bits::Rounding;
+use num_bigint::BigInt;
+use num_traits::Zero;
+
+/// The value at `sample` of the plane with values `z` at the vertices; `None` without area.
+pub fn plane_at(
+    triangle: [[i128; 2]; 3],
+    z: [i128; 3],
+    sample: impl Into<Point>,
+) -> Option<Rational> {
+    let sample = sample.into();
+    let [a, b, c] = triangle;
+    let whole = edge_value(a, b, c);
+    if whole.is_zero() {
+        return None;
+    }
+    let weighted: Rational = [(b, c, z[0]), (c, a, z[1]), (a, b, z[2])]
+        .into_iter()
+        .map(|(from, to, value)| edge_value(from, to, sample.clone()) * integer(value))
+        .sum();
+    Some(weighted / whole)
+}
+
+/// The change of the plane's value per sub-pixel rightward and downward; `None` without area.
+pub fn plane_slopes(triangle: [[i128; 2]; 3], z: [i128; 3]) -> Option<[Rational; 2]> {
+    let origin = plane_at(triangle, z, [0, 0])?;
+    Some([plane_at(triangle, z, [1, 0])? - &origin, plane_at(triangle, z, [0, 1])? - &origin])
+}
+
+/// The plane's value in units of `2^-fraction`, rounded once; `None` without area.
+///
+/// ```
+/// use guardbit::{bits::Rounding, exact::plane_word};
+/// // z rises by 1/3 a sub-pixel: one third in units of 1/8 is 8/3.
+/// let word = plane_word([[0, 0], [3, 0], [0, 3]], [0, 1, 0], [1, 0], 3, Rounding::NearestEven);
+/// assert_eq!(word, Some(3.into()));
+/// ```
+pub fn plane_word(
+    triangle: [[i128; 2]; 3],
+    z: [i128; 3],
+    sample: impl Into<Point>,
+    fraction: u32,
+    rounding: Rounding,
+) -> Option<BigInt> {
+    let scale = Rational::from_integer(BigInt::from(1) << fraction);
+    Some(round(&(plane_at(triangle, z, sample)? * scale), rounding))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{Point, dyadic, ratio};
+
+    #[test]
+    fn vertices_keep_their_values_and_midpoints_their_means() {
+        let (triangle, z) = ([[1, 7], [12, -3], [5, 20]], [10, -4, 3]);
+        for k in 0..3 {
+            assert_eq!(plane_at(triangle, z, triangle[k]), Some(integer(z[k])));
+            let (a, b) = (triangle[k], triangle[(k + 1) % 3]);
+            let middle = Point::dyadic([a[0] + b[0], a[1] + b[1]], 1);
+            assert_eq!(plane_at(triangle, z, middle), Some(dyadic(z[k] + z[(k + 1) % 3], 1)));
+        }
+    }
+
+    #[test]
+    fn slopes_do_not_depend_on_winding() {
+        let slopes = plane_slopes([[0, 0], [3, 0], [0, 5]], [0, 1, 2]);
+        assert_eq!(slopes, Some([ratio(1, 3).unwrap(), ratio(2, 5).unwrap()]));
+        assert_eq!(plane_slopes([[0, 0], [0, 5], [3, 0]], [0, 2, 1]), slopes);
+        assert_eq!(plane_slopes([[0, 0], [1, 1], [2, 2]], [0, 2, 1]), None);
+    }
+}
