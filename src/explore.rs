@@ -1,0 +1,3 @@
+//! Questions asked of the model: which known facts hold.
+
+pub mod claims;

@@ -1,0 +1,283 @@
+//! An edge walked by its x slope: how many fraction bits, and what goes wrong with fewer.
+
+use super::statement::{Statement, real};
+use crate::bits::Rounding;
+use crate::case::Words;
+use std::sync::OnceLock;
+
+/// A walk down one edge: rows whose centres lie in `[top, bottom)`, x with `fraction` bits.
+struct Walk {
+    first_row: i128,
+    rows: i128,
+    /// Exact x in pixels is `(numerator + n step) / denominator` on row `n` of the walk.
+    numerator: i128,
+    step: i128,
+    denominator: i128,
+    start: i128,
+    slope: i128,
+    fraction: u32,
+}
+
+impl Walk {
+    /// The edge between two points with `s` bits below the pixel; `None` where it crosses no row.
+    fn new(ends: [[i128; 2]; 2], s: u32, fraction: u32, rounding: Rounding) -> Option<Self> {
+        let [a, b] = ends;
+        // Half sub-pixels: row centres are on the grid even for s = 0.
+        let [top, bottom] = (if a[1] <= b[1] { [a, b] } else { [b, a] }).map(|p| p.map(|n| 2 * n));
+        let (pixel, half) = (2 << s, 1 << s);
+        let row_at = |y: i128| Rounding::Ceiling.shift_right(y - half, s + 1).0;
+        let (first_row, end_row) = (row_at(top[1]), row_at(bottom[1]));
+        let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
+        let numerator = top[0] * dy + (first_row * pixel + half - top[1]) * dx;
+        let denominator = dy * pixel;
+        (first_row < end_row).then_some(())?;
+        Some(Self {
+            first_row,
+            rows: end_row - first_row,
+            numerator,
+            step: dx * pixel,
+            denominator,
+            start: rounding.divide(numerator << fraction, denominator)?.0,
+            slope: rounding.divide(dx << fraction, dy)?.0,
+            fraction,
+        })
+    }
+
+    /// The first pixel of the left end on row `n`: ceil(x - 1/2).
+    fn pixel(&self, n: i128) -> i128 {
+        let x = self.start + self.slope * n;
+        Rounding::Ceiling.shift_right(2 * x - (1 << self.fraction), self.fraction + 1).0
+    }
+
+    /// Whether that is the pixel that the exact x gives: p - 1 < x - 1/2 <= p.
+    fn right(&self, n: i128) -> bool {
+        let twice_x = 2 * (self.numerator + n * self.step);
+        let p = self.pixel(n);
+        (2 * p - 1) * self.denominator < twice_x && twice_x <= (2 * p + 1) * self.denominator
+    }
+
+    /// Walked x minus exact x in pixels, as numerator over `denominator 2^fraction`.
+    fn error(&self, n: i128) -> i128 {
+        let exact = (self.numerator + n * self.step) << self.fraction;
+        (self.start + self.slope * n) * self.denominator - exact
+    }
+}
+
+pub(super) fn statements() -> Vec<Statement> {
+    let mut list = vec![
+        Statement::exact(
+            "walk.exact-fraction",
+            "fraction bits for exact coverage with floor and ceil(x - 1/2), every edge of windows 2^k, grid s; (k,s) = (1,1) is the exception to 2k+2s, and with s = 0 centres lie off the lattice",
+            "(1,1) 3, (1,2) 6, (1,3) 8, (2,1) 6, (2,2) 8, (3,1) 8, (3,2) 10, (4,1) 10, (3,0) 7, (4,0) 9",
+            || {
+                let sizes =
+                    [(1, 1), (1, 2), (1, 3), (2, 1), (2, 2), (3, 1), (3, 2), (4, 1), (3, 0), (4, 0)];
+                let texts = sizes.map(|(k, s)| format!("({k},{s}) {}", exact_fraction(k, s)));
+                texts.join(", ")
+            },
+        )
+        .slow(),
+        Statement::exact(
+            "walk.ties",
+            "fraction bits from 0 to 60 at which an edge walk is exact over a window of 8 pixels, s = 1: nearest / toward zero",
+            "none / none",
+            || {
+                [Rounding::NearestEven, Rounding::TowardZero].map(never_exact).join(" / ")
+            },
+        ),
+        Statement::exact(
+            "walk.tie-example",
+            "edge (0, 1/2) to (1, 6 1/2), row 3, exact x = 1/2, F = 22 nearest: accumulator minus 2^21, its pixel, the right pixel",
+            "1, pixel 1, right 0",
+            tie_example,
+        ),
+        Statement::exact(
+            "walk.half-sub-pixel",
+            "fraction bits that keep every accumulated x within half a sub-pixel, nearest / floor (s+k and s+k+1), every edge of (k,s) = (4,1) and of (3,2)",
+            "(4,1) 5 / 6, (3,2) 5 / 6",
+            || {
+                [(4, 1), (3, 2)]
+                    .map(|(k, s)| {
+                        let [near, floor] =
+                            [Rounding::NearestEven, Rounding::Floor].map(|r| half_fraction(k, s, r));
+                        format!("({k},{s}) {near} / {floor}")
+                    })
+                    .join(", ")
+            },
+        )
+        .slow(),
+    ];
+    list.extend(statistics());
+    list
+}
+
+fn points(k: u32, s: u32) -> impl Iterator<Item = [i128; 2]> + Clone {
+    let side = (1 << (k + s)) + 1;
+    (0..side * side).map(move |n| [n % side, n / side])
+}
+
+/// Every walk down an edge of the closed window.
+fn walks(k: u32, s: u32, fraction: u32, rounding: Rounding) -> impl Iterator<Item = Walk> {
+    points(k, s).flat_map(move |a| {
+        points(k, s)
+            .filter(move |b| a[1] < b[1])
+            .filter_map(move |b| Walk::new([a, b], s, fraction, rounding))
+    })
+}
+
+fn is_exact(k: u32, s: u32, fraction: u32, rounding: Rounding) -> bool {
+    walks(k, s, fraction, rounding).all(|walk| (0..walk.rows).all(|n| walk.right(n)))
+}
+
+/// Floor approaches the exact x from below as bits are added, so the first that works is the least.
+fn exact_fraction(k: u32, s: u32) -> String {
+    (0..30)
+        .find(|f| is_exact(k, s, *f, Rounding::Floor))
+        .map_or("none".to_owned(), |f| f.to_string())
+}
+
+fn never_exact(rounding: Rounding) -> String {
+    let exact: Vec<String> =
+        (0..=60).filter(|f| is_exact(3, 1, *f, rounding)).map(|f| f.to_string()).collect();
+    if exact.is_empty() { "none".to_owned() } else { exact.join(" ") }
+}
+
+fn half_fraction(k: u32, s: u32, rounding: Rounding) -> String {
+    let within = |fraction: &u32| {
+        walks(k, s, *fraction, rounding).all(|walk| {
+            // A line in n: its extremes are at the ends. Half a sub-pixel is 2^-(s+1) pixels.
+            [0, walk.rows - 1]
+                .iter()
+                .all(|n| walk.error(*n).abs() << (s + 1) < walk.denominator << walk.fraction)
+        })
+    };
+    (0..20).find(within).map_or("none".to_owned(), |f| f.to_string())
+}
+
+fn tie_example() -> String {
+    Walk::new([[0, 1], [2, 13]], 1, 22, Rounding::NearestEven).map_or(
+        "no rows".to_owned(),
+        |walk| {
+            let n = 3 - walk.first_row;
+            let x = walk.start + walk.slope * n;
+            let right = (0..2).find(|p| {
+                let twice_x = 2 * (walk.numerator + n * walk.step);
+                (2 * p - 1) * walk.denominator < twice_x
+                    && twice_x <= (2 * p + 1) * walk.denominator
+            });
+            let right = right.map_or("none".to_owned(), |p| p.to_string());
+            format!("{}, pixel {}, right {right}", x - (1 << 21), walk.pixel(n))
+        },
+    )
+}
+
+const SEED: u64 = 1;
+const CLASS: u64 = 1;
+const EDGES: u64 = 20_000;
+
+/// What [`EDGES`] random edges over 4096 pixels show at F = 22, s = 10.
+struct Population {
+    worst_sub_pixel: f64,
+    mean_sub_pixel: f64,
+    wrong_rows: f64,
+    touched_edges: f64,
+}
+
+fn population(rounding: Rounding) -> Population {
+    let (mut rows, mut wrong, mut touched, mut crossed) = (0, 0, 0, 0);
+    let (mut worst, mut sum) = (0.0_f64, 0.0);
+    for index in 0..EDGES {
+        let mut words = Words::new(SEED, CLASS, index);
+        let mut point = || [words.between(0, 4096 << 10), words.between(0, 4096 << 10)];
+        let Some(walk) = Walk::new([point(), point()], 10, 22, rounding) else {
+            continue;
+        };
+        let missed = (0..walk.rows).filter(|n| !walk.right(*n)).count();
+        let unit = real(walk.denominator << walk.fraction) / 1024.0;
+        let ends = [0, walk.rows - 1].map(|n| real(walk.error(n)) / unit);
+        worst = worst.max(ends[0].abs()).max(ends[1].abs());
+        // The mean of a line over its rows is the mean of its ends.
+        sum += f64::midpoint(ends[0], ends[1]) * real(walk.rows);
+        rows += walk.rows;
+        wrong += missed;
+        touched += u32::from(missed > 0);
+        crossed += 1;
+    }
+    Population {
+        worst_sub_pixel: worst,
+        mean_sub_pixel: sum / real(rows),
+        wrong_rows: real(wrong) / real(rows),
+        touched_edges: f64::from(touched) / f64::from(crossed),
+    }
+}
+
+fn nearest() -> &'static Population {
+    static NEAREST: OnceLock<Population> = OnceLock::new();
+    NEAREST.get_or_init(|| population(Rounding::NearestEven))
+}
+
+fn floor() -> &'static Population {
+    static FLOOR: OnceLock<Population> = OnceLock::new();
+    FLOOR.get_or_init(|| population(Rounding::Floor))
+}
+
+fn statistics() -> Vec<Statement> {
+    let what = |figure: &str| {
+        format!(
+            "edge walk, W = 4096, s = 10, F = 22: {figure}; {EDGES} edges with both ends uniform in the window, mix64 seed {SEED} class {CLASS}"
+        )
+    };
+    [
+        Statement::between(
+            "walk.worst-nearest",
+            what("worst error in sub-pixels, nearest (bound 1/2)"),
+            0.463,
+            [0.44, 0.5],
+            || nearest().worst_sub_pixel,
+        ),
+        Statement::between(
+            "walk.worst-floor",
+            what("worst error in sub-pixels, floor (bound 1)"),
+            0.931,
+            [0.88, 1.0],
+            || floor().worst_sub_pixel,
+        ),
+        Statement::within(
+            "walk.mean-floor",
+            what("mean error in sub-pixels over rows, floor: -1/8 for uniform ends, since the mean row is W/4 down its edge and loses half a unit a row"),
+            -0.125,
+            0.005,
+            || floor().mean_sub_pixel,
+        ),
+        Statement::within(
+            "walk.wrong-nearest",
+            what("share of rows with the wrong pixel, nearest: the mean error in pixels, 2^-14 for uniform ends"),
+            6.1e-5,
+            7e-6,
+            || nearest().wrong_rows,
+        ),
+        Statement::within(
+            "walk.wrong-floor",
+            what("share of rows with the wrong pixel, floor: the mean error in pixels, 2^-13 for uniform ends"),
+            1.2e-4,
+            1.2e-5,
+            || floor().wrong_rows,
+        ),
+        Statement::within(
+            "walk.touched-nearest",
+            what("share of edges with a wrong row, nearest: 1 - exp(-wrong rows) averaged over uniform ends is 0.0735"),
+            0.0735,
+            0.01,
+            || nearest().touched_edges,
+        ),
+        Statement::within(
+            "walk.touched-floor",
+            what("share of edges with a wrong row, floor: 1 - exp(-wrong rows) averaged over uniform ends is 0.132"),
+            0.132,
+            0.01,
+            || floor().touched_edges,
+        ),
+    ]
+    .map(Statement::slow)
+    .into()
+}
