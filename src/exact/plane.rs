@@ -6,7 +6,7 @@ use super::number::{Point, Rational, integer};
 use super::round::round;
 use crate::bits::Rounding;
 use num_bigint::BigInt;
-use num_traits::Zero;
+use num_traits::{ToPrimitive, Zero};
 
 /// The value at `sample` of the plane with values `z` at the vertices; `None` without area.
 pub fn plane_at(
@@ -33,13 +33,14 @@ pub fn plane_slopes(triangle: [[i128; 2]; 3], z: [i128; 3]) -> Option<[Rational;
     Some([plane_at(triangle, z, [1, 0])? - &origin, plane_at(triangle, z, [0, 1])? - &origin])
 }
 
-/// The plane's value in units of `2^-fraction`, rounded once; `None` without area.
+/// The plane's value in units of `2^-fraction`, rounded once; `None` without area, or where it
+/// does not fit.
 ///
 /// ```
 /// use guardbit::{bits::Rounding, exact::plane_word};
 /// // z rises by 1/3 a sub-pixel: one third in units of 1/8 is 8/3.
 /// let word = plane_word([[0, 0], [3, 0], [0, 3]], [0, 1, 0], [1, 0], 3, Rounding::NearestEven);
-/// assert_eq!(word, Some(3.into()));
+/// assert_eq!(word, Some(3));
 /// ```
 pub fn plane_word(
     triangle: [[i128; 2]; 3],
@@ -47,9 +48,9 @@ pub fn plane_word(
     sample: impl Into<Point>,
     fraction: u32,
     rounding: Rounding,
-) -> Option<BigInt> {
+) -> Option<i128> {
     let scale = Rational::from_integer(BigInt::from(1) << fraction);
-    Some(round(&(plane_at(triangle, z, sample)? * scale), rounding))
+    round(&(plane_at(triangle, z, sample)? * scale), rounding).to_i128()
 }
 
 #[cfg(test)]

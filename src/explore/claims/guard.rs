@@ -32,9 +32,10 @@ pub(super) fn statements() -> Vec<Statement> {
             "reads of covered centres that differ from an unlimited clamp with 1 guard bit, floor / nearest, and whether any do with none: every triangle and depth of (k,s,d) = (2,1,1), F = 3",
             "0 / 0, some / some",
             || {
-                let rows = [Rounding::Floor, Rounding::NearestEven].map(wrong_reads);
+                let [floor, nearest] = wrong_reads([Rounding::Floor, Rounding::NearestEven]);
                 let some = |n: u32| if n > 0 { "some" } else { "none" };
-                format!("{} / {}, {} / {}", rows[0][1], rows[1][1], some(rows[0][0]), some(rows[1][0]))
+                let without = [floor[0], nearest[0]].map(some);
+                format!("{} / {}, {} / {}", floor[1], nearest[1], without[0], without[1])
             },
         )
         .slow(),
@@ -66,12 +67,12 @@ fn smallest_case() -> String {
     format!("{accumulator}, {}, {}", reads[0], reads[1])
 }
 
-/// Covered centres read wrongly with no and with one guard bit.
-fn wrong_reads(rounding: Rounding) -> [u32; 2] {
-    let mut wrong = [0; 2];
+/// For each rounding, covered centres read wrongly with no and with one guard bit.
+fn wrong_reads(roundings: [Rounding; 2]) -> [[u32; 2]; 2] {
+    let mut wrong = [[0; 2]; 2];
     let [Ok(none), Ok(one), Ok(endless)] = [0, 1, 60].map(|g| ReadOut::new(g, 1, 3, Clamp::Guard))
     else {
-        return [u32::MAX; 2];
+        return [[u32::MAX; 2]; 2];
     };
     for triangle in toy_triangles(2, 1) {
         let covered: Vec<[i128; 2]> = (0..16)
@@ -83,12 +84,14 @@ fn wrong_reads(rounding: Rounding) -> [u32; 2] {
         }
         for z in depths(1) {
             let gradient = Gradient::new(&triangle, z);
-            let plane = Plane::round(&gradient, [1, 1], 1, 3, rounding, Division::Quotient);
-            for [x, y] in &covered {
-                let value = plane.at(*x, *y);
-                let right = endless.read(value);
-                wrong[0] += u32::from(none.read(value) != right);
-                wrong[1] += u32::from(one.read(value) != right);
+            for (rounding, wrong) in roundings.into_iter().zip(&mut wrong) {
+                let plane = Plane::round(&gradient, [1, 1], 1, 3, rounding, Division::Quotient);
+                for [x, y] in &covered {
+                    let value = plane.at(*x, *y);
+                    let right = endless.read(value);
+                    wrong[0] += u32::from(none.read(value) != right);
+                    wrong[1] += u32::from(one.read(value) != right);
+                }
             }
         }
     }
