@@ -1,7 +1,12 @@
 //! guardbit
 pub mod bits;
+pub mod cover;
 pub mod dda;
 pub mod format;
+pub mod machine;
 pub mod measure;
+pub mod model;
+pub mod profile;
 pub mod scene;
 pub mod setup;
+pub mod value;
