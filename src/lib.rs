@@ -1,5 +1,6 @@
 //! guardbit
 pub mod bits;
+pub mod case;
 pub mod cover;
 pub mod dda;
 pub mod format;

@@ -14,6 +14,7 @@ pub(crate) struct Failure {
 
 impl Failure {
     /// Usage or bad input: exit status 2.
+    #[allow(clippy::needless_pass_by_value, reason = "so that it serves as a function for map_err")]
     pub(crate) fn input(message: impl ToString) -> Self {
         Self { status: 2, message: message.to_string(), hint: None }
     }
@@ -28,8 +29,8 @@ impl Failure {
     }
 
     /// Adds what to do about it.
-    pub(crate) fn hint(mut self, hint: impl ToString) -> Self {
-        self.hint = Some(hint.to_string());
+    pub(crate) fn hint(mut self, hint: &str) -> Self {
+        self.hint = Some(hint.to_owned());
         self
     }
 

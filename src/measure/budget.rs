@@ -45,7 +45,7 @@ pub struct Fact {
     pub value: String,
 }
 
-fn fact(name: &'static str, value: impl ToString) -> Fact {
+fn fact(name: &'static str, value: &(impl ToString + ?Sized)) -> Fact {
     Fact { name, value: value.to_string() }
 }
 
@@ -79,15 +79,15 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
         facts: vec![
             fact(
                 "range",
-                format!(
+                &format!(
                     "{} to {} pixels",
                     dyadic(low, vertex.sub_pixel),
                     dyadic(high, vertex.sub_pixel)
                 ),
             ),
-            fact("resolution", format!("1/{} pixel", 1u64 << vertex.sub_pixel)),
-            fact("snap", vertex.snap),
-            fact("difference", format!("{} bits", vertex.difference_bits())),
+            fact("resolution", &format!("1/{} pixel", 1u64 << vertex.sub_pixel)),
+            fact("snap", &vertex.snap),
+            fact("difference", &format!("{} bits", vertex.difference_bits())),
         ],
     }];
     words.push(match profile.form {
@@ -103,8 +103,8 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
                 width: edges.width,
                 fields: vec![field("edge", edges.width)],
                 facts: vec![
-                    fact("range", format!("-2^{0} to 2^{0} - 1", edges.width - 1)),
-                    fact("exact in this window", format!("{exact} bits: {verdict}")),
+                    fact("range", &format!("-2^{0} to 2^{0} - 1", edges.width - 1)),
+                    fact("exact in this window", &format!("{exact} bits: {verdict}")),
                 ],
             }
         }
@@ -117,11 +117,11 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
                 field("fraction", walk.fraction),
             ],
             facts: vec![
-                fact("resolution", format!("2^-{} pixel", walk.fraction)),
-                fact("rounding", walk.rounding),
+                fact("resolution", &format!("2^-{} pixel", walk.fraction)),
+                fact("rounding", &walk.rounding),
                 fact(
                     "half a sub-pixel",
-                    format!(
+                    &format!(
                         "after {} rows",
                         steps(walk.fraction.saturating_sub(vertex.sub_pixel), walk.rounding)
                     ),
@@ -134,21 +134,22 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
         let (lowest, limit) = read.range();
         let longest = u64::from(size.0 - 1) + u64::from(size.1 - 1);
         let mut facts = vec![
-            fact("codes", format!("0 to {}", read.maximum())),
+            fact("codes", &format!("0 to {}", read.maximum())),
             fact("clamp", depth.clamp.name()),
         ];
         if !matches!(depth.clamp, crate::format::Clamp::Saturate) {
             let last = dyadic(limit - 1, read.fraction());
-            facts.push(fact("range", format!("{} to {last} ULP", dyadic(lowest, read.fraction()))));
+            facts
+                .push(fact("range", &format!("{} to {last} ULP", dyadic(lowest, read.fraction()))));
         }
         facts.extend([
-            fact("resolution", format!("2^-{} ULP", depth.interpolation)),
-            fact("rounding", depth.rounding),
+            fact("resolution", &format!("2^-{} ULP", depth.interpolation)),
+            fact("rounding", &depth.rounding),
             fact(
                 "below half an ULP",
-                format!("for {} steps", steps(depth.interpolation, depth.rounding)),
+                &format!("for {} steps", steps(depth.interpolation, depth.rounding)),
             ),
-            fact("longest walk", format!("{longest} steps")),
+            fact("longest walk", &format!("{longest} steps")),
         ]);
         words.push(Word {
             name: "depth",
