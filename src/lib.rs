@@ -1,2 +1,3 @@
 //! guardbit
 pub mod format;
+pub mod vector;
