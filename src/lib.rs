@@ -11,3 +11,4 @@ pub mod profile;
 pub mod scene;
 pub mod setup;
 pub mod value;
+pub mod vector;
