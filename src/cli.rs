@@ -5,10 +5,12 @@ mod eval;
 mod failure;
 mod output;
 mod profile;
+mod progress;
+mod sets;
 mod speed;
+mod vectors;
 
 use clap::{Parser, Subcommand};
-use failure::Failure;
 use std::process::ExitCode;
 
 /// Bit-exact fixed-point reference model for triangle rasterization hardware.
@@ -28,6 +30,7 @@ enum Command {
     Eval(eval::Arguments),
     Profile(profile::Arguments),
     Speed(speed::Arguments),
+    Vectors(vectors::Arguments),
 }
 
 /// What a command found when it ran to its end.
@@ -55,6 +58,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),
+        Command::Vectors(arguments) => vectors::run(&arguments),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,

@@ -28,6 +28,11 @@ impl Failure {
         Self { status: 3, message: format!("{what}: {error}"), hint: None }
     }
 
+    /// Stopped by Ctrl-C: exit status 130, as shells expect.
+    pub(crate) fn interrupted(message: &str) -> Self {
+        Self { status: 130, message: message.to_owned(), hint: None }
+    }
+
     /// Adds what to do about it.
     pub(crate) fn hint(mut self, hint: &str) -> Self {
         self.hint = Some(hint.to_owned());
