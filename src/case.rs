@@ -1,7 +1,19 @@
-//! Stimulus keyed by (seed, class, index). Spec clause `K-1`: the generator.
+//! Stimulus keyed by (seed, class, index). Spec clauses `X-1` to `X-4`.
 //!
 //! Counter-based: every word is a pure function of its key, so any case can be drawn alone, in any
 //! order, on any number of threads, and an implementation in another language has four lines.
+
+pub mod triangle;
+pub mod walk;
+
+/// A group of tests of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Class {
+    /// Short tag, part of every test's id.
+    pub tag: &'static str,
+    /// The kind of defect it catches, in one sentence.
+    pub catches: &'static str,
+}
 
 /// The 64-bit golden ratio, the increment of SplitMix64.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;

@@ -1,3 +1,4 @@
 //! Measurement: error against the exact truth, and speed as ratios within one run.
 
+pub mod budget;
 pub mod speed;

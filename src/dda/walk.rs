@@ -54,7 +54,11 @@ impl Walker {
     fn held(read: ReadOut, start: i128) -> i128 {
         if read.clamp() == Clamp::Saturate {
             let unused = 128 - read.width();
-            read.saturating_step(start << unused >> unused, 0)
+            // Without guard bits every pattern is a value of the range.
+            let unsigned = start.cast_unsigned() << unused >> unused;
+            let loaded =
+                if read.guard() == 0 { unsigned.cast_signed() } else { start << unused >> unused };
+            read.saturating_step(loaded, 0)
         } else {
             start
         }

@@ -178,6 +178,19 @@ impl ReadOut {
         u64::try_from(held >> self.fraction).unwrap_or(u64::MAX)
     }
 
+    /// Where the value that the read-out sees stands: 0 inside, 1 above, 2 below.
+    #[inline]
+    pub const fn zone(self, accumulator: i128) -> usize {
+        let seen = self.reduce(accumulator);
+        if seen < 0 {
+            2
+        } else if seen >= self.top() {
+            1
+        } else {
+            0
+        }
+    }
+
     /// The events of reading this unwrapped value. Spec clause `V-2`.
     #[inline]
     pub const fn status(self, unwrapped: i128) -> Status {
@@ -258,6 +271,11 @@ impl<L: Lane> Decode<L> {
     #[inline]
     pub fn slope(&self, slope: i128) -> L {
         L::justify(slope, self.width)
+    }
+
+    /// The lowest and highest biased words that read without a clamp.
+    pub fn thresholds(&self) -> (L, L) {
+        (self.low, self.high)
     }
 
     /// The result, as a lane integer that is not negative unless all of its bits are used.

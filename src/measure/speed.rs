@@ -25,6 +25,8 @@ pub struct Row {
     pub plain_ns_per_sample: f64,
     /// Median of the repeats' ratios to the plain loop.
     pub ratio: f64,
+    /// What limits the kernel at this level, from its instruction mix.
+    pub bound_by: &'static str,
 }
 
 /// The ratios at the best processor level.
@@ -159,6 +161,19 @@ fn versus(
     })
 }
 
+/// What limits a kernel: the instruction mix of its loop against what the level offers.
+fn bound_by(kernel: &str, processor: &str) -> &'static str {
+    match (kernel.starts_with("depth"), processor) {
+        (true, "avx512") => "vector ports: 8 operations for 8 samples",
+        (true, "avx2") => "no 64-bit minimum and maximum: compare and blend, 4 samples",
+        (true, "sse4.2") => "compare and blend, 2 samples an instruction",
+        (true, _) => "64-bit compares done in scalar registers",
+        (false, "avx512") => "vector ports: 7 operations for 8 samples",
+        (false, "avx2") => "vector ports, 4 samples an instruction",
+        (false, _) => "vector ports, 2 samples an instruction",
+    }
+}
+
 /// Measures every kernel at every processor level of this machine, on one thread.
 pub fn measure(repeats: usize) -> Report {
     let read = depth_format();
@@ -169,7 +184,15 @@ pub fn measure(repeats: usize) -> Report {
     for processor in Processor::available() {
         let mut row = |kernel, [ns_per_sample, plain_ns_per_sample, ratio]: [f64; 3]| {
             let processor = processor.name();
-            rows.push(Row { kernel, processor, ns_per_sample, plain_ns_per_sample, ratio });
+            let bound_by = bound_by(kernel, processor);
+            rows.push(Row {
+                kernel,
+                processor,
+                ns_per_sample,
+                plain_ns_per_sample,
+                ratio,
+                bound_by,
+            });
             ratio
         };
         let plain = || plain_depth(read, black_box(plain_plane), SIZE);

@@ -3,50 +3,53 @@
 use super::statement::{Statement, real};
 use crate::bits::Rounding;
 use crate::case::Words;
+use crate::cover::SampleGrid;
+use crate::machine::{EdgeWalkConfig, WalkedEdge};
 use std::sync::OnceLock;
 
-/// A walk down one edge: rows whose centres lie in `[top, bottom)`, x with `fraction` bits.
+/// A walk down one edge by the edge-walk machine, beside its exact x.
 struct Walk {
-    first_row: i128,
-    rows: i128,
+    config: EdgeWalkConfig,
+    grid: SampleGrid,
+    edge: WalkedEdge,
     /// Exact x in pixels is `(numerator + n step) / denominator` on row `n` of the walk.
     numerator: i128,
     step: i128,
     denominator: i128,
-    start: i128,
-    slope: i128,
-    fraction: u32,
 }
 
 impl Walk {
     /// The edge between two points with `s` bits below the pixel; `None` where it crosses no row.
     fn new(ends: [[i128; 2]; 2], s: u32, fraction: u32, rounding: Rounding) -> Option<Self> {
-        let [a, b] = ends;
-        // Half sub-pixels: row centres are on the grid even for s = 0.
-        let [top, bottom] = (if a[1] <= b[1] { [a, b] } else { [b, a] }).map(|p| p.map(|n| 2 * n));
-        let (pixel, half) = (2 << s, 1 << s);
-        let row_at = |y: i128| Rounding::Ceiling.shift_right(y - half, s + 1).0;
-        let (first_row, end_row) = (row_at(top[1]), row_at(bottom[1]));
+        // Half sub-pixels: centres are on the grid even for s = 0.
+        let [a, b] = ends.map(|p| p.map(|n| 2 * n));
+        let [top, bottom] = if a[1] <= b[1] { [a, b] } else { [b, a] };
+        let grid = SampleGrid { offset: [1 << s; 2], sub_pixel: s + 1 };
+        let config = EdgeWalkConfig { guard: 1, integer: 12, fraction, rounding };
+        let edge = config.edge(top, bottom, &grid)?;
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
-        let numerator = top[0] * dy + (first_row * pixel + half - top[1]) * dx;
-        let denominator = dy * pixel;
-        (first_row < end_row).then_some(())?;
+        let below_top = grid.position(0, edge.first_row)[1] - top[1];
         Some(Self {
-            first_row,
-            rows: end_row - first_row,
-            numerator,
-            step: dx * pixel,
-            denominator,
-            start: rounding.divide(numerator << fraction, denominator)?.0,
-            slope: rounding.divide(dx << fraction, dy)?.0,
-            fraction,
+            config,
+            grid,
+            edge,
+            numerator: top[0] * dy + below_top * dx,
+            step: dx << (s + 1),
+            denominator: dy << (s + 1),
         })
     }
 
-    /// The first pixel of the left end on row `n`: ceil(x - 1/2).
+    fn rows(&self) -> i128 {
+        self.edge.end_row - self.edge.first_row
+    }
+
+    /// The walked x on row `n`, in 2^-fraction pixels.
+    fn x(&self, n: i128) -> i128 {
+        self.edge.start + self.edge.slope * n
+    }
+
     fn pixel(&self, n: i128) -> i128 {
-        let x = self.start + self.slope * n;
-        Rounding::Ceiling.shift_right(2 * x - (1 << self.fraction), self.fraction + 1).0
+        self.config.pixel(self.x(n), &self.grid)
     }
 
     /// Whether that is the pixel that the exact x gives: p - 1 < x - 1/2 <= p.
@@ -58,8 +61,8 @@ impl Walk {
 
     /// Walked x minus exact x in pixels, as numerator over `denominator 2^fraction`.
     fn error(&self, n: i128) -> i128 {
-        let exact = (self.numerator + n * self.step) << self.fraction;
-        (self.start + self.slope * n) * self.denominator - exact
+        let exact = (self.numerator + n * self.step) << self.config.fraction;
+        self.x(n) * self.denominator - exact
     }
 }
 
@@ -93,10 +96,10 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "walk.half-sub-pixel",
-            "fraction bits that keep every accumulated x within half a sub-pixel, nearest / floor (s+k and s+k+1), every edge of (k,s) = (4,1) and of (3,2)",
-            "(4,1) 5 / 6, (3,2) 5 / 6",
+            "fraction bits that keep every accumulated x within half a sub-pixel, nearest / floor (s+k and s+k+1), every edge of the windows named; on (1,1) floor makes do with 2",
+            "(1,2) 3 / 4, (2,1) 3 / 4, (2,2) 4 / 5, (3,1) 4 / 5, (3,2) 5 / 6, (4,1) 5 / 6",
             || {
-                [(4, 1), (3, 2)]
+                [(1, 2), (2, 1), (2, 2), (3, 1), (3, 2), (4, 1)]
                     .map(|(k, s)| {
                         let [near, floor] =
                             [Rounding::NearestEven, Rounding::Floor].map(|r| half_fraction(k, s, r));
@@ -126,7 +129,7 @@ fn walks(k: u32, s: u32, fraction: u32, rounding: Rounding) -> impl Iterator<Ite
 }
 
 fn is_exact(k: u32, s: u32, fraction: u32, rounding: Rounding) -> bool {
-    walks(k, s, fraction, rounding).all(|walk| (0..walk.rows).all(|n| walk.right(n)))
+    walks(k, s, fraction, rounding).all(|walk| (0..walk.rows()).all(|n| walk.right(n)))
 }
 
 /// Floor approaches the exact x from below as bits are added, so the first that works is the least.
@@ -146,9 +149,9 @@ fn half_fraction(k: u32, s: u32, rounding: Rounding) -> String {
     let within = |fraction: &u32| {
         walks(k, s, *fraction, rounding).all(|walk| {
             // A line in n: its extremes are at the ends. Half a sub-pixel is 2^-(s+1) pixels.
-            [0, walk.rows - 1]
+            [0, walk.rows() - 1]
                 .iter()
-                .all(|n| walk.error(*n).abs() << (s + 1) < walk.denominator << walk.fraction)
+                .all(|n| walk.error(*n).abs() << (s + 1) < walk.denominator << walk.config.fraction)
         })
     };
     (0..20).find(within).map_or("none".to_owned(), |f| f.to_string())
@@ -158,15 +161,14 @@ fn tie_example() -> String {
     Walk::new([[0, 1], [2, 13]], 1, 22, Rounding::NearestEven).map_or(
         "no rows".to_owned(),
         |walk| {
-            let n = 3 - walk.first_row;
-            let x = walk.start + walk.slope * n;
+            let n = 3 - walk.edge.first_row;
             let right = (0..2).find(|p| {
                 let twice_x = 2 * (walk.numerator + n * walk.step);
                 (2 * p - 1) * walk.denominator < twice_x
                     && twice_x <= (2 * p + 1) * walk.denominator
             });
             let right = right.map_or("none".to_owned(), |p| p.to_string());
-            format!("{}, pixel {}, right {right}", x - (1 << 21), walk.pixel(n))
+            format!("{}, pixel {}, right {right}", walk.x(n) - (1 << 21), walk.pixel(n))
         },
     )
 }
@@ -192,13 +194,13 @@ fn population(rounding: Rounding) -> Population {
         let Some(walk) = Walk::new([point(), point()], 10, 22, rounding) else {
             continue;
         };
-        let missed = (0..walk.rows).filter(|n| !walk.right(*n)).count();
-        let unit = real(walk.denominator << walk.fraction) / 1024.0;
-        let ends = [0, walk.rows - 1].map(|n| real(walk.error(n)) / unit);
+        let missed = (0..walk.rows()).filter(|n| !walk.right(*n)).count();
+        let unit = real(walk.denominator << walk.config.fraction) / 1024.0;
+        let ends = [0, walk.rows() - 1].map(|n| real(walk.error(n)) / unit);
         worst = worst.max(ends[0].abs()).max(ends[1].abs());
         // The mean of a line over its rows is the mean of its ends.
-        sum += f64::midpoint(ends[0], ends[1]) * real(walk.rows);
-        rows += walk.rows;
+        sum += f64::midpoint(ends[0], ends[1]) * real(walk.rows());
+        rows += walk.rows();
         wrong += missed;
         touched += u32::from(missed > 0);
         crossed += 1;

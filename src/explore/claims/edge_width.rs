@@ -5,6 +5,7 @@
 
 use super::statement::Statement;
 use crate::bits::Rounding;
+use crate::cover::FillRule;
 use crate::setup::{EdgeCoefficients, Endless, Source, VertexConfig};
 
 /// A square of coordinates in sub-pixels, closed on both sides.
@@ -23,8 +24,7 @@ impl Square {
 
 /// The bias of the top-left rule for an edge: -1 unless it owns its samples.
 pub(super) fn top_left_bias(edge: &EdgeCoefficients) -> i128 {
-    let [dx, dy] = edge.direction();
-    -i128::from(!(dy < 0 || (dy == 0 && dx > 0)))
+    -i128::from(!FillRule::TopLeft.owns(edge.direction()))
 }
 
 /// Every (edge, E at a sample) over the corners of both boxes.

@@ -1,0 +1,91 @@
+//! Arguments, exit statuses and the one place where errors become text.
+
+mod budget;
+mod eval;
+mod failure;
+mod output;
+mod profile;
+mod progress;
+mod sets;
+mod speed;
+mod vectors;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+/// Bit-exact fixed-point reference model for triangle rasterization hardware.
+///
+/// Exit status: 0 good, 1 a mismatch or unmet claim was found, 2 usage or bad input, 3 input or
+/// output failed.
+#[derive(Debug, Parser)]
+#[command(name = "guardbit", version, max_term_width = 100, color = clap::ColorChoice::Auto)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Budget(budget::Arguments),
+    Eval(eval::Arguments),
+    Profile(profile::Arguments),
+    Speed(speed::Arguments),
+    Vectors(vectors::Arguments),
+}
+
+/// What a command found when it ran to its end.
+enum Outcome {
+    Good,
+    /// A mismatch or an unmet claim: exit status 1.
+    Mismatch,
+    /// Bad input that was reported as it came: exit status 2.
+    BadInput,
+}
+
+/// Parses, runs, reports.
+pub(crate) fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(error) => {
+            let status = if error.use_stderr() { 2 } else { 0 };
+            // Printing help to a closed pipe is not worth a word.
+            let _ = error.print();
+            return ExitCode::from(status);
+        }
+    };
+    let result = match arguments.command {
+        Command::Budget(arguments) => budget::run(&arguments),
+        Command::Eval(arguments) => eval::run(&arguments),
+        Command::Profile(arguments) => profile::run(&arguments),
+        Command::Speed(arguments) => speed::run(&arguments),
+        Command::Vectors(arguments) => vectors::run(&arguments),
+    };
+    match result {
+        Ok(Outcome::Good) => ExitCode::SUCCESS,
+        Ok(Outcome::Mismatch) => ExitCode::from(1),
+        Ok(Outcome::BadInput) => ExitCode::from(2),
+        Err(failure) => failure.report(),
+    }
+}
+
+/// `WIDTHxHEIGHT`.
+fn parse_size(text: &str) -> Result<(u32, u32), String> {
+    let parts = text.split_once(['x', 'X']).and_then(|(width, height)| {
+        Some((width.trim().parse().ok()?, height.trim().parse().ok()?))
+    });
+    parts.ok_or_else(|| "a size looks like 1024x768".to_owned())
+}
+
+/// `X0,Y0,X1,Y1`, half-open.
+fn parse_rect(text: &str) -> Result<guardbit::cover::Rect, String> {
+    let parts: Vec<u32> = text.split(',').filter_map(|part| part.trim().parse().ok()).collect();
+    match parts[..] {
+        [x0, y0, x1, y1] if x0 <= x1 && y0 <= y1 && text.split(',').count() == 4 => {
+            Ok(guardbit::cover::Rect { x0, y0, x1, y1 })
+        }
+        _ => {
+            Err("a rectangle looks like 0,0,640,480: X0,Y0,X1,Y1 with X0 <= X1, Y0 <= Y1"
+                .to_owned())
+        }
+    }
+}

@@ -1,0 +1,143 @@
+//! `guardbit eval`: the live model on a pipe.
+
+use super::Outcome;
+use super::failure::Failure;
+use guardbit::model::{Drawing, Model, View};
+use guardbit::profile;
+use guardbit::scene::lines::{self, Primitive};
+use std::fmt::Write as _;
+use std::io::{BufRead, Write};
+
+/// Longest line read, so that input without newlines cannot fill the memory.
+const LONGEST: u64 = 1 << 24;
+
+/// Live model on a pipe: JSON Lines in, JSON Lines out, flushed line by line.
+///
+/// In: {"id": 7, "v": [[x,y,z],[x,y,z],[x,y,z]]}, integers in sub-pixels and depth ULPs, y down,
+/// z optional; or "f" instead of "v": real numbers, x and y in pixels, z in depth ULPs,
+/// {"bits": "7fc00000"} for NaN and infinities.
+/// Out: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// A built-in name or a TOML file.
+    #[arg(default_value = "sgi-4k")]
+    profile: String,
+    /// Window instead of the profile's, as WIDTHxHEIGHT.
+    #[arg(long, value_parser = super::parse_size)]
+    window: Option<(u32, u32)>,
+    /// Draw only pixels [X0, X1) by [Y0, Y1), as X0,Y0,X1,Y1.
+    #[arg(long, value_parser = super::parse_rect)]
+    scissor: Option<guardbit::cover::Rect>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let profile = profile::load(&arguments.profile)?;
+    let view = View { window: arguments.window, scissor: arguments.scissor, ..View::default() };
+    let model = Model::with_view(&profile, view).map_err(Failure::input)?;
+    let mut input = std::io::stdin().lock();
+    let mut output = std::io::stdout().lock();
+    let mut drawing = Drawing::default();
+    let (mut line, mut answer) = (Vec::new(), String::new());
+    let (mut number, mut all_good) = (0u64, true);
+    loop {
+        line.clear();
+        let read = std::io::Read::take(&mut input, LONGEST)
+            .read_until(b'\n', &mut line)
+            .map_err(|error| Failure::io("standard input", &error))?;
+        if read == 0 {
+            break;
+        }
+        number += 1;
+        if line.iter().all(u8::is_ascii_whitespace) {
+            continue;
+        }
+        answer.clear();
+        if read as u64 == LONGEST && line.last() != Some(&b'\n') {
+            return Err(Failure::input(format!("line {number}: longer than {LONGEST} bytes")));
+        }
+        all_good &= reply(&model, &line, number, &mut drawing, &mut answer);
+        answer.push('\n');
+        output
+            .write_all(answer.as_bytes())
+            .and_then(|()| output.flush())
+            .map_err(|error| Failure::io("standard output", &error))?;
+    }
+    Ok(if all_good { Outcome::Good } else { Outcome::BadInput })
+}
+
+/// Answers one line; false for an error answer.
+fn reply(
+    model: &Model,
+    line: &[u8],
+    number: u64,
+    drawing: &mut Drawing,
+    answer: &mut String,
+) -> bool {
+    let refuse = |answer: &mut String, id: Option<&str>, message: &str| {
+        let message =
+            serde_json::to_string(&format!("line {number}: {message}")).unwrap_or_default();
+        // Writing to a String cannot fail.
+        let _ = write!(answer, "{{\"id\": {}, \"error\": {message}}}", id.unwrap_or("null"));
+        false
+    };
+    let Ok(text) = std::str::from_utf8(line) else {
+        return refuse(answer, None, "not UTF-8 text");
+    };
+    let request = match lines::parse_line(text.trim_end()) {
+        Ok(request) => request,
+        Err(error) => return refuse(answer, error.id.as_deref(), &error.to_string()),
+    };
+    let id = request.id.as_deref();
+    let triangle = match &request.primitive {
+        Primitive::Triangle(triangle) => triangle,
+        other => {
+            let (field, what) = match other {
+                Primitive::Words(_) => ("words", "set-up registers"),
+                Primitive::Line(_) => ("line", "lines"),
+                _ => ("point", "points"),
+            };
+            let message =
+                format!("field `{field}`: this profile's machine draws triangles, not {what}");
+            return refuse(answer, id, &message);
+        }
+    };
+    drawing.clear();
+    let drawn = model.snap(triangle).and_then(|triangle| {
+        model.draw(&triangle, drawing)?;
+        Ok(triangle.z.is_some())
+    });
+    match drawn {
+        Err(error) => refuse(answer, id, &error.to_string()),
+        Ok(has_depth) => {
+            write_answer(answer, id, drawing, has_depth);
+            true
+        }
+    }
+}
+
+fn write_answer(answer: &mut String, id: Option<&str>, drawing: &Drawing, has_depth: bool) {
+    let _ = write!(answer, "{{\"id\": {}, \"rows\": [", id.unwrap_or("null"));
+    for (n, span) in drawing.spans.iter().enumerate() {
+        let comma = if n == 0 { "" } else { ", " };
+        let _ = write!(answer, "{comma}[{}, {}, {}]", span.y, span.x0, span.x1);
+    }
+    answer.push(']');
+    if has_depth {
+        answer.push_str(", \"z\": [");
+        for (n, z) in drawing.depth.iter().enumerate() {
+            let comma = if n == 0 { "" } else { ", " };
+            let _ = write!(answer, "{comma}{z}");
+        }
+        answer.push(']');
+    }
+    let mut events = drawing.event_counts().peekable();
+    if events.peek().is_some() {
+        answer.push_str(", \"events\": {");
+        for (n, (key, count)) in events.enumerate() {
+            let comma = if n == 0 { "" } else { ", " };
+            let _ = write!(answer, "{comma}\"{key}\": {count}");
+        }
+        answer.push('}');
+    }
+    answer.push('}');
+}

@@ -1,0 +1,36 @@
+//! Standard output through one locked, buffered writer.
+
+use super::failure::Failure;
+use std::io::{BufWriter, StdoutLock, Write};
+
+/// The locked writer of a command.
+pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
+
+impl Output {
+    pub(crate) fn new() -> Self {
+        Self(BufWriter::new(std::io::stdout().lock()))
+    }
+
+    /// One line.
+    pub(crate) fn line(&mut self, text: impl AsRef<str>) -> Result<(), Failure> {
+        self.text(text)?;
+        self.text("\n")
+    }
+
+    /// Text as it is.
+    pub(crate) fn text(&mut self, text: impl AsRef<str>) -> Result<(), Failure> {
+        self.0.write_all(text.as_ref().as_bytes()).map_err(|e| Failure::io("standard output", &e))
+    }
+
+    /// A value as indented JSON and a newline.
+    pub(crate) fn json(&mut self, value: &impl serde::Serialize) -> Result<(), Failure> {
+        let text = serde_json::to_string_pretty(value).map_err(Failure::input)?;
+        self.line(text)?;
+        self.flush()
+    }
+
+    /// Everything written so far leaves the process.
+    pub(crate) fn flush(&mut self) -> Result<(), Failure> {
+        self.0.flush().map_err(|e| Failure::io("standard output", &e))
+    }
+}

@@ -1,0 +1,50 @@
+//! `guardbit profile`: list, show, schema.
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::Output;
+use clap::Subcommand;
+use guardbit::profile::{self, BUILTIN};
+
+/// The built-in profiles as TOML, and the JSON schema of profile files.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    action: Action,
+}
+
+#[derive(Debug, Subcommand)]
+enum Action {
+    /// The built-in profiles, one a line.
+    List,
+    /// A profile as TOML: a good start for one of your own.
+    Show {
+        /// A built-in name or a TOML file.
+        profile: String,
+    },
+    /// The JSON schema of profile files.
+    Schema,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut output = Output::new();
+    match &arguments.action {
+        Action::List => {
+            for (name, text) in BUILTIN {
+                let profile = profile::parse(text, name)?;
+                output.line(format!("{name:<12} {}", profile.about))?;
+            }
+        }
+        Action::Show { profile } => {
+            let loaded = profile::load(profile)?;
+            // A built-in is shown with its comments, anything else as this build understands it.
+            match BUILTIN.iter().find(|(name, _)| name == profile) {
+                Some((_, text)) => output.text(text)?,
+                None => output.text(loaded.to_toml())?,
+            }
+        }
+        Action::Schema => output.text(profile::schema())?,
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}

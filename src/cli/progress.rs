@@ -1,0 +1,42 @@
+//! Progress on standard error, and Ctrl-C.
+
+use guardbit::vector::write::Monitor;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+/// A monitor that Ctrl-C cancels.
+pub(crate) fn monitor() -> Arc<Monitor> {
+    let monitor = Arc::new(Monitor::default());
+    let handle = Arc::clone(&monitor);
+    // Without a handler Ctrl-C ends the process at once: worse, but no reason to refuse the work.
+    let _ = ctrlc::set_handler(move || handle.cancel.store(true, Ordering::Relaxed));
+    monitor
+}
+
+/// Runs `work` while a byte counter shows, if standard error is a terminal.
+pub(crate) fn watch<T>(what: &'static str, monitor: &Monitor, work: impl FnOnce() -> T) -> T {
+    if !std::io::stderr().is_terminal() {
+        return work();
+    }
+    let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {bytes} at {bytes_per_sec}") {
+        bar.set_style(style);
+    }
+    bar.set_message(what);
+    let done = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            while !done.load(Ordering::Relaxed) {
+                bar.set_position(monitor.bytes.load(Ordering::Relaxed));
+                std::thread::sleep(Duration::from_millis(80));
+            }
+        });
+        let result = work();
+        done.store(true, Ordering::Relaxed);
+        bar.finish_and_clear();
+        result
+    })
+}

@@ -1,0 +1,42 @@
+//! What `vectors`, `render` and `trace` share: a profile and a scene brought to its grid.
+
+use super::failure::Failure;
+use guardbit::model::{Model, View};
+use guardbit::profile::Profile;
+use guardbit::scene;
+use guardbit::setup::Triangle;
+use std::path::Path;
+
+/// A scene on a profile's grid.
+pub(crate) struct Snapped {
+    pub(crate) name: String,
+    pub(crate) triangles: Vec<Triangle>,
+    pub(crate) refused: u64,
+}
+
+/// Loads a scene and snaps it; triangles outside the vertex field are counted and left out.
+pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<Snapped, Failure> {
+    let model = Model::with_view(profile, View::default()).map_err(Failure::input)?;
+    let scene = scene::load(source, &model.viewport())?;
+    let mut refused = scene.dropped as u64;
+    let mut first = None;
+    let mut triangles = Vec::with_capacity(scene.triangles.len());
+    for (n, triangle) in scene.triangles.iter().enumerate() {
+        match model.snap(triangle) {
+            Ok(triangle) => triangles.push(triangle),
+            Err(error) => {
+                refused += 1;
+                first.get_or_insert_with(|| format!("triangle {n}: {error}"));
+            }
+        }
+    }
+    if triangles.is_empty() {
+        let why = first.unwrap_or_else(|| "it has no triangles".to_owned());
+        return Err(Failure::input(format!("{source}: nothing left to draw: {why}")));
+    }
+    if let Some(first) = first {
+        eprintln!("note: {source}: {refused} triangles left out; the first: {first}");
+    }
+    let stem = Path::new(source).file_stem().map(|stem| stem.to_string_lossy().into_owned());
+    Ok(Snapped { name: stem.unwrap_or_else(|| source.to_owned()), triangles, refused })
+}

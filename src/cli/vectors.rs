@@ -1,0 +1,285 @@
+//! `guardbit vectors`: the main job.
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::Output;
+use super::{progress, sets};
+use clap::ValueEnum;
+use guardbit::profile::{self, Profile};
+use guardbit::vector::bench::{Bench, Source};
+use guardbit::vector::emit;
+use guardbit::vector::plan::{Shard, find_test};
+use guardbit::vector::table::{RowFormat, Table};
+use guardbit::vector::write::{self, Options, SetRequest};
+use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Golden vectors and everything a bench needs. Every argument has a default.
+///
+/// Without PROFILE: the default profile and its variants with 1 to 4 guard bits, each a folder of
+/// its own below DIR. With PROFILE: that profile's set, in DIR itself.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// A built-in name or a TOML file.
+    profile: Option<String>,
+    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles.
+    #[arg(long, default_value = "knot")]
+    scene: String,
+    /// Where the set goes; `-` streams one file to standard output.
+    #[arg(long, value_name = "DIR", default_value = "guardbit-vectors")]
+    out: PathBuf,
+    /// Rows of each walk file (dda.exp, edge.exp); the other benches grow with it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    count: Option<u64>,
+    /// Size by the rate of simulators: about a second in GHDL, in Icarus, a minute in Verilator.
+    #[arg(long, value_enum, default_value_t = Size::Regress)]
+    size: Size,
+    /// Seed of the random classes.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Also write the variants with 1 to 4 guard bits of a named profile.
+    #[arg(long)]
+    variants: bool,
+    /// Window instead of the profile's, as WIDTHxHEIGHT.
+    #[arg(long, value_parser = super::parse_size)]
+    window: Option<(u32, u32)>,
+    /// One part of the set, as I/N with I from 0; the parts joined equal the whole.
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    shard: Option<Shard>,
+    /// Row format.
+    #[arg(long, value_enum, default_value_t = Format::Tv)]
+    format: Format,
+    /// Compress vector files with zstd.
+    #[arg(long)]
+    zstd: bool,
+    /// Print the rows of one test, such as dda/guard-boundary/17.
+    #[arg(long, value_name = "ID")]
+    only: Option<String>,
+    /// Which file `--out -` streams.
+    #[arg(long, value_name = "NAME", default_value = "dda.exp")]
+    file: String,
+    /// Worker threads; the bytes are the same with any number.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Replace an existing DIR.
+    #[arg(long)]
+    force: bool,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Size {
+    Smoke,
+    Regress,
+    Soak,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+enum Format {
+    Tv,
+    Bin,
+    Csv,
+    Jsonl,
+    Testfloat,
+}
+
+impl Size {
+    /// Rows of a walk file.
+    const fn rows(self) -> u64 {
+        match self {
+            Self::Smoke => 20_000,
+            Self::Regress => 100_000,
+            Self::Soak => 50_000_000,
+        }
+    }
+}
+
+impl From<Format> for RowFormat {
+    fn from(format: Format) -> Self {
+        match format {
+            Format::Tv => Self::Tv,
+            Format::Bin => Self::Bin,
+            Format::Csv => Self::Csv,
+            Format::Jsonl => Self::Jsonl,
+            Format::Testfloat => Self::TestFloat,
+        }
+    }
+}
+
+fn parse_shard(text: &str) -> Result<Shard, String> {
+    let parts = text.split_once('/').and_then(|(index, parts)| {
+        Some(Shard { index: index.parse().ok()?, parts: parts.parse().ok()? })
+    });
+    match parts {
+        Some(shard) if shard.index < shard.parts => Ok(shard),
+        _ => Err("a shard looks like 0/4: I/N with 0 <= I < N".to_owned()),
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut profile = profile::load(arguments.profile.as_deref().unwrap_or("sgi-4k"))?;
+    if let Some((width, height)) = arguments.window {
+        profile.window = profile::WindowConfig { width, height };
+        profile.validate().map_err(Failure::input)?;
+    }
+    let options = Options {
+        count: arguments.count.unwrap_or(arguments.size.rows()),
+        seed: arguments.seed,
+        shard: arguments.shard.unwrap_or(Shard::WHOLE),
+        format: arguments.format.into(),
+        zstd: arguments.zstd,
+        threads: threads(arguments.threads),
+        force: arguments.force,
+    };
+    if let Some(id) = &arguments.only {
+        return print_test(&request(profile, &arguments.scene)?, &options, id);
+    }
+    if arguments.out.as_os_str() == "-" {
+        return stream(&request(profile, &arguments.scene)?, &options, &arguments.file);
+    }
+    let nested = arguments.profile.is_none() || arguments.variants;
+    let mut requests = vec![request(profile.clone(), &arguments.scene)?];
+    if nested && let Some(depth) = profile.depth {
+        for guard in (1..=4).filter(|guard| *guard != depth.guard) {
+            let mut variant = profile.clone();
+            variant.name = format!("{}-g{guard}", profile.name);
+            variant.depth.iter_mut().for_each(|depth| depth.guard = guard);
+            variant.validate().map_err(Failure::input)?;
+            // Guard bits do not move a vertex: the scene on the grid is shared.
+            let first = &requests[0];
+            let name = variant.name.clone();
+            requests.push(SetRequest { name, profile: variant, ..first.clone() });
+        }
+    }
+    let monitor = progress::monitor();
+    let manifests = progress::watch("writing", &monitor, || {
+        write::write(&requests, &arguments.out, nested, &options, &monitor)
+    })
+    .map_err(|error| write_failure(&arguments.out, &error))?;
+    let mut output = Output::new();
+    for manifest in &manifests {
+        let folder = if nested { arguments.out.join(&manifest.set) } else { arguments.out.clone() };
+        let tests: u64 = manifest.groups.iter().map(|group| group.tests).sum();
+        let rows: u64 = manifest
+            .files
+            .iter()
+            .filter(|file| !file.columns.is_empty())
+            .map(|file| file.rows)
+            .sum();
+        let holes: usize = manifest.coverage.iter().map(|entry| entry.holes.len()).sum();
+        output.line(format!(
+            "{}: {tests} tests, {rows} rows, {} files, {holes} coverage holes (listed in {})",
+            folder.display(),
+            manifest.files.len() + 1,
+            guardbit::vector::manifest::NAME
+        ))?;
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+pub(crate) fn threads(asked: Option<u16>) -> usize {
+    asked.map_or_else(
+        || std::thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
+        usize::from,
+    )
+}
+
+fn request(profile: Profile, scene: &str) -> Result<SetRequest, Failure> {
+    let snapped = sets::snap_scene(&profile, scene)?;
+    Ok(SetRequest {
+        name: profile.name.clone(),
+        profile,
+        scene_name: snapped.name,
+        scene: Arc::new(snapped.triangles),
+        refused: snapped.refused,
+    })
+}
+
+fn write_failure(out: &Path, error: &std::io::Error) -> Failure {
+    match error.kind() {
+        ErrorKind::AlreadyExists => {
+            Failure::input(format!("{} exists and is not empty", out.display()))
+                .hint("choose another --out, or replace it with --force")
+        }
+        ErrorKind::Interrupted => Failure::interrupted("interrupted: nothing was left behind"),
+        _ => Failure::io(&out.display().to_string(), error),
+    }
+}
+
+fn benches(request: &SetRequest, options: &Options) -> Vec<Box<dyn Bench>> {
+    Source {
+        profile: request.profile.clone(),
+        scene: Arc::clone(&request.scene),
+        seed: options.seed,
+        count: options.count,
+    }
+    .benches()
+}
+
+/// Prints the rows of one test, each after the name of its file.
+fn print_test(request: &SetRequest, options: &Options, id: &str) -> Result<Outcome, Failure> {
+    let benches = benches(request, options);
+    let found = benches.iter().find_map(|bench| Some((bench, find_test(&**bench, id)?)));
+    let Some((bench, at)) = found else {
+        let known: Vec<String> = benches
+            .iter()
+            .flat_map(|bench| {
+                bench
+                    .groups()
+                    .iter()
+                    .map(|group| format!("{}/{}/0..{}", bench.name(), group.class.tag, group.tests))
+            })
+            .collect();
+        let message = format!("no test {id:?}: an id is BENCH/CLASS/INDEX");
+        return Err(Failure::input(message).hint(&format!("there are {}", known.join(" "))));
+    };
+    let specs = emit::files(&**bench, options.format);
+    let mut tables: Vec<Table> =
+        specs.iter().map(|spec| Table::new(options.format, &spec.columns)).collect();
+    bench.emit(at, u64::MAX, &mut tables, &mut guardbit::vector::bench::Coverage::default());
+    let mut output = Output::new();
+    for (spec, table) in specs.iter().zip(&tables) {
+        let name = write::file_name(&spec.stem, options.format, false);
+        for line in String::from_utf8_lossy(&table.buffer).lines() {
+            output.line(format!("{name}: {line}"))?;
+        }
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+/// Streams one file to standard output.
+fn stream(request: &SetRequest, options: &Options, file: &str) -> Result<Outcome, Failure> {
+    let benches = benches(request, options);
+    let stem = file.strip_suffix(&format!(".{}", options.format.extension())).unwrap_or(file);
+    let mut known = Vec::new();
+    for bench in &benches {
+        for (wanted, spec) in emit::files(&**bench, options.format).iter().enumerate() {
+            if spec.stem == stem {
+                let mut sink = StreamOutput { wanted, output: std::io::stdout().lock() };
+                emit::emit(&**bench, options.shard, options.count, options.format, &mut sink)
+                    .and_then(|_| sink.output.flush())
+                    .map_err(|error| Failure::io("standard output", &error))?;
+                return Ok(Outcome::Good);
+            }
+            known.push(spec.stem.clone());
+        }
+    }
+    let message = format!("--file {file}: this profile has no such file");
+    Err(Failure::input(message).hint(&format!("there are {}", known.join(", "))))
+}
+
+struct StreamOutput {
+    wanted: usize,
+    output: std::io::StdoutLock<'static>,
+}
+
+impl emit::Output for StreamOutput {
+    fn bytes(&mut self, file: usize, bytes: &[u8]) -> std::io::Result<bool> {
+        if file == self.wanted {
+            self.output.write_all(bytes)?;
+        }
+        Ok(true)
+    }
+}

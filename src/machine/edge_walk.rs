@@ -1,0 +1,182 @@
+//! The slope-form edge walk: an x DDA down each edge. Measurably inexact, and kept for that.
+//! Spec clauses `K-1` to `K-5`.
+
+use super::edge_function::{Painter, drawable};
+use super::{DrawError, Input, Machine, Ports, Sink, Target};
+use crate::bits::Rounding;
+use crate::cover::SampleGrid;
+use crate::format::{Clamp, Column, ReadOut, ReadOutError};
+use crate::setup::VertexConfig;
+use crate::value::Depth;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The x word of a walked edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct EdgeWalkConfig {
+    /// Guard bits above the integer bits of x.
+    pub guard: u32,
+    /// Integer bits of x.
+    pub integer: u32,
+    /// Fraction bits of x below the pixel: sub-pixel and interpolation bits together.
+    pub fraction: u32,
+    /// Rounding of the start and of the slope.
+    pub rounding: Rounding,
+}
+
+/// An edge word that cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum EdgeWalkError {
+    /// The word is malformed.
+    #[error(transparent)]
+    Word(#[from] ReadOutError),
+    /// The exact numerators outgrow 128-bit arithmetic.
+    #[error(
+        "2 * vertex difference bits + 2 + fraction = 2 * {difference} + 2 + {fraction} > 126: \
+         set-up would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+    )]
+    Growth {
+        /// Bits of a vertex difference.
+        difference: u32,
+        /// Fraction bits of x.
+        fraction: u32,
+    },
+}
+
+/// One edge as walked: x at the first row, the change per row, and the rows, unreduced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WalkedEdge {
+    /// x at the first row, in 2^-fraction pixels.
+    pub start: i128,
+    /// Change of x per row.
+    pub slope: i128,
+    /// First row whose sample is at or below the upper end.
+    pub first_row: i128,
+    /// One past the last row whose sample is above the lower end.
+    pub end_row: i128,
+    /// Whether the edge bounds the triangle on its left.
+    pub left: bool,
+}
+
+impl EdgeWalkConfig {
+    /// Checks the word and its growth.
+    ///
+    /// # Errors
+    /// [`EdgeWalkError`] names the violated inequality.
+    pub fn validate(&self, vertex: &VertexConfig) -> Result<ReadOut, EdgeWalkError> {
+        let (difference, fraction) = (vertex.difference_bits(), self.fraction);
+        let read = ReadOut::new(self.guard, self.integer, fraction, Clamp::Guard)?;
+        if 2 * difference + 2 + fraction > 126 {
+            return Err(EdgeWalkError::Growth { difference, fraction });
+        }
+        Ok(read)
+    }
+
+    /// Set-up of the edge from `from` to `to` of a normalised triangle: the exact x at its first
+    /// row, rounded once, and the slope, rounded once. `None` for an edge that crosses no row.
+    pub fn edge(&self, from: [i128; 2], to: [i128; 2], grid: &SampleGrid) -> Option<WalkedEdge> {
+        // Edges run top to bottom; upward ones bound the triangle on the left.
+        let left = to[1] < from[1];
+        let (top, bottom) = if left { (to, from) } else { (from, to) };
+        let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
+        // Half-open in y: a sample on the upper end belongs to the edge, on the lower end not.
+        let (first_row, end_row) = grid.pixels(1, (top[1], bottom[1] - 1));
+        if first_row >= end_row {
+            return None;
+        }
+        let below_top = grid.position(0, first_row)[1] - top[1];
+        let divide = |numerator, denominator| {
+            self.rounding
+                .divide(numerator, denominator)
+                .unwrap_or_else(|| unreachable!("an edge that crosses a row has a height"))
+                .0
+        };
+        let start = divide((top[0] * dy + below_top * dx) << self.fraction, dy << grid.sub_pixel);
+        let slope = divide(dx << self.fraction, dy);
+        Some(WalkedEdge { start, slope, first_row, end_row, left })
+    }
+
+    /// The first pixel whose sample is not left of `x` (in 2^-fraction pixels): `ceil(x - 1/2)`
+    /// for samples at pixel centres.
+    pub fn pixel(&self, x: i128, grid: &SampleGrid) -> i128 {
+        // Both offsets over a common denominator of 2^(fraction + s).
+        let scaled = (x << grid.sub_pixel) - (grid.offset[0] << self.fraction);
+        -(-scaled >> (self.fraction + grid.sub_pixel))
+    }
+}
+
+/// The machine of `[form.edge-walk]`.
+#[derive(Clone, Debug)]
+pub struct EdgeWalk {
+    config: EdgeWalkConfig,
+    word: ReadOut,
+    depth: Option<Depth>,
+    target: Target,
+    ports: Ports,
+}
+
+impl EdgeWalk {
+    /// A machine of validated parts; `word` is what [`EdgeWalkConfig::validate`] returned.
+    pub fn new(
+        config: EdgeWalkConfig,
+        word: ReadOut,
+        depth: Option<Depth>,
+        vertex: &VertexConfig,
+        target: Target,
+    ) -> Self {
+        let width = word.width();
+        let mut setup = Vec::new();
+        for k in 0..3 {
+            let x = |name: String, meaning: String| {
+                Column::new(&name, width, true, config.fraction, &meaning)
+            };
+            setup.push(x(format!("x{k}"), format!("Edge {k}, x at its first row.")));
+            setup.push(x(format!("s{k}"), format!("Edge {k}, change of x per row.")));
+            for (name, meaning) in [("t", "first row"), ("u", "row past its last")] {
+                let meaning = format!("Edge {k}, {meaning}; both 0 when it crosses no row.");
+                setup.push(Column::new(&format!("{name}{k}"), 34, true, 0, &meaning));
+            }
+        }
+        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        Self { config, word, depth, target, ports }
+    }
+}
+
+impl Machine for EdgeWalk {
+    fn ports(&self) -> &Ports {
+        &self.ports
+    }
+
+    fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
+        let Input::Triangle(triangle) = *input;
+        let Some(triangle) = drawable(triangle, out) else { return Ok(()) };
+        let Target { grid, clip } = self.target;
+        let v = triangle.xy;
+        let edges: [Option<WalkedEdge>; 3] =
+            std::array::from_fn(|k| self.config.edge(v[k], v[(k + 1) % 3], &grid));
+        let mut painter = Painter::new(self.depth, &triangle, &self.target);
+        let words = edges
+            .iter()
+            .flat_map(|edge| edge.map_or([0; 4], |e| [e.start, e.slope, e.first_row, e.end_row]))
+            .collect();
+        painter.announce(words, self.depth.is_some(), out);
+        let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
+        for y in y0..y1 {
+            let row = i128::from(y);
+            let side = |left| {
+                let edge = edges.iter().flatten().find(|edge| {
+                    edge.left == left && (edge.first_row..edge.end_row).contains(&row)
+                })?;
+                let x = self.word.reduce(edge.start + edge.slope * (row - edge.first_row));
+                Some(self.config.pixel(x, &grid))
+            };
+            let (Some(left), Some(right)) = (side(true), side(false)) else { continue };
+            let (x0, x1) = clip.clip(0, (left, right));
+            if x0 < x1 {
+                painter.span(y, x0, x1, out)?;
+            }
+        }
+        Ok(())
+    }
+}

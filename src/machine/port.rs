@@ -1,0 +1,52 @@
+//! The words a machine takes and makes. Files, packages and waveforms derive from these.
+
+use crate::format::{Column, ReadOut};
+use crate::setup::VertexConfig;
+
+/// Columns of a machine's inputs and outputs.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Ports {
+    /// Vertices.
+    pub input: Vec<Column>,
+    /// Set-up results.
+    pub setup: Vec<Column>,
+    /// The depth value of a sample, if the profile has depth.
+    pub depth: Option<Column>,
+}
+
+impl Ports {
+    /// The ports of a triangle machine whose coverage set-up has these columns.
+    pub fn triangle(vertex: &VertexConfig, mut setup: Vec<Column>, depth: Option<ReadOut>) -> Self {
+        let (low, high) = vertex.range();
+        let signed = low < 0;
+        let width = i128::BITS - high.leading_zeros() + u32::from(signed);
+        let mut input = Vec::new();
+        for n in 0..3 {
+            for axis in ["x", "y"] {
+                let meaning = format!("Vertex {n}, {axis} in sub-pixels.");
+                input.push(Column::new(
+                    &format!("{axis}{n}"),
+                    width,
+                    signed,
+                    vertex.sub_pixel,
+                    &meaning,
+                ));
+            }
+            if let Some(read) = depth {
+                let meaning = format!("Vertex {n}, depth code.");
+                input.push(Column::new(&format!("z{n}"), read.integer(), false, 0, &meaning));
+            }
+        }
+        if let Some(read) = depth {
+            let (width, fraction) = (read.width(), read.fraction());
+            let column = |name, meaning| Column::new(name, width, true, fraction, meaning);
+            setup.push(column("z", "Depth accumulator at pixel (0, 0)."));
+            setup.push(column("dzdx", "Depth slope per pixel to the right."));
+            setup.push(column("dzdy", "Depth slope per row downward."));
+        }
+        let depth = depth.map(|read| {
+            Column::new("z", read.integer(), false, 0, "Depth read-out after the clamp.")
+        });
+        Self { input, setup, depth }
+    }
+}

@@ -1,0 +1,183 @@
+//! The words of a profile, taken apart.
+
+use crate::profile::{Form, InvalidProfile, Profile};
+use serde::Serialize;
+
+/// A profile's words.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Profile name.
+    pub profile: String,
+    /// Its one-line description.
+    pub about: String,
+    /// Vertex, edge and depth words.
+    pub words: Vec<Word>,
+}
+
+/// One word.
+#[derive(Clone, Debug, Serialize)]
+pub struct Word {
+    /// `vertex`, `edge` or `depth`.
+    pub name: &'static str,
+    /// Bits in all.
+    pub width: u32,
+    /// Bits by purpose, most significant first.
+    pub fields: Vec<Field>,
+    /// Range, resolution and the like.
+    pub facts: Vec<Fact>,
+}
+
+/// Bits of one purpose.
+#[derive(Clone, Debug, Serialize)]
+pub struct Field {
+    /// Purpose.
+    pub name: &'static str,
+    /// Bits.
+    pub bits: u32,
+}
+
+/// A property of a word.
+#[derive(Clone, Debug, Serialize)]
+pub struct Fact {
+    /// What.
+    pub name: &'static str,
+    /// How much, with its unit.
+    pub value: String,
+}
+
+fn fact(name: &'static str, value: &(impl ToString + ?Sized)) -> Fact {
+    Fact { name, value: value.to_string() }
+}
+
+fn field(name: &'static str, bits: u32) -> Field {
+    Field { name, bits }
+}
+
+/// `numerator / 2^shift` as an exact decimal fraction of at most three digits, or a power.
+fn dyadic(numerator: i128, shift: u32) -> String {
+    if shift == 0 {
+        return numerator.to_string();
+    }
+    let whole = numerator >> shift;
+    let rest = numerator - (whole << shift);
+    if rest == 0 { whole.to_string() } else { format!("{numerator}/2^{shift}") }
+}
+
+/// Takes a profile's words apart.
+///
+/// # Errors
+/// [`InvalidProfile`] if its parts do not go together.
+pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
+    profile.validate()?;
+    let (grid, vertex) = (profile.grid()?, profile.vertex);
+    let size = (profile.window.width, profile.window.height);
+    let (low, high) = vertex.range();
+    let mut words = vec![Word {
+        name: "vertex",
+        width: vertex.integer + vertex.sub_pixel,
+        fields: vec![field("integer", vertex.integer), field("sub-pixel", vertex.sub_pixel)],
+        facts: vec![
+            fact(
+                "range",
+                &format!(
+                    "{} to {} pixels",
+                    dyadic(low, vertex.sub_pixel),
+                    dyadic(high, vertex.sub_pixel)
+                ),
+            ),
+            fact("resolution", &format!("1/{} pixel", 1u64 << vertex.sub_pixel)),
+            fact("snap", &vertex.snap),
+            fact("difference", &format!("{} bits", vertex.difference_bits())),
+        ],
+    }];
+    words.push(match profile.form {
+        Form::EdgeFunction(edges) => {
+            let exact = edges.exact_width(&vertex, &grid, size);
+            let verdict = match edges.width.cmp(&exact) {
+                std::cmp::Ordering::Less => "too narrow: edge words can wrap",
+                std::cmp::Ordering::Equal => "exactly enough",
+                std::cmp::Ordering::Greater => "more than enough",
+            };
+            Word {
+                name: "edge",
+                width: edges.width,
+                fields: vec![field("edge", edges.width)],
+                facts: vec![
+                    fact("range", &format!("-2^{0} to 2^{0} - 1", edges.width - 1)),
+                    fact("exact in this window", &format!("{exact} bits: {verdict}")),
+                ],
+            }
+        }
+        Form::EdgeWalk(walk) => Word {
+            name: "edge",
+            width: walk.guard + walk.integer + walk.fraction,
+            fields: vec![
+                field("guard", walk.guard),
+                field("integer", walk.integer),
+                field("fraction", walk.fraction),
+            ],
+            facts: vec![
+                fact("resolution", &format!("2^-{} pixel", walk.fraction)),
+                fact("rounding", &walk.rounding),
+                fact(
+                    "half a sub-pixel",
+                    &format!(
+                        "after {} rows",
+                        steps(walk.fraction.saturating_sub(vertex.sub_pixel), walk.rounding)
+                    ),
+                ),
+            ],
+        },
+    });
+    if let Some(depth) = profile.depth {
+        let read = depth.validate(&vertex)?;
+        let (lowest, limit) = read.range();
+        let longest = u64::from(size.0 - 1) + u64::from(size.1 - 1);
+        let mut facts = vec![
+            fact("codes", &format!("0 to {}", read.maximum())),
+            fact("clamp", depth.clamp.name()),
+        ];
+        if !matches!(depth.clamp, crate::format::Clamp::Saturate) {
+            let last = dyadic(limit - 1, read.fraction());
+            facts
+                .push(fact("range", &format!("{} to {last} ULP", dyadic(lowest, read.fraction()))));
+        }
+        facts.extend([
+            fact("resolution", &format!("2^-{} ULP", depth.interpolation)),
+            fact("rounding", &depth.rounding),
+            fact(
+                "below half an ULP",
+                &format!("for {} steps", steps(depth.interpolation, depth.rounding)),
+            ),
+            fact("longest walk", &format!("{longest} steps")),
+        ]);
+        words.push(Word {
+            name: "depth",
+            width: read.width(),
+            fields: vec![
+                field("guard", depth.guard),
+                field("integer", depth.integer),
+                field("interpolation", depth.interpolation),
+            ],
+            facts,
+        });
+    }
+    Ok(Report { profile: profile.name.clone(), about: profile.about.clone(), words })
+}
+
+/// How many steps after a rounded start keep the accumulated error below half a result unit:
+/// the most n with (n + 1) e < 1/2, e the bound of one rounding.
+fn steps(fraction: u32, rounding: crate::bits::Rounding) -> u128 {
+    use crate::bits::Rounding as R;
+    let nearest = matches!(
+        rounding,
+        R::NearestEven | R::NearestUp | R::NearestDown | R::NearestAway | R::NearestTowardZero
+    );
+    // A nearest rounding errs by at most 2^-(F+1), reached, so the sum must be strictly less; any
+    // other errs by strictly less than 2^-F, so the sum of the bounds may reach one half.
+    if nearest {
+        (1u128 << fraction).saturating_sub(2)
+    } else {
+        (1u128 << fraction >> 1).saturating_sub(1)
+    }
+}

@@ -1,0 +1,177 @@
+//! A profile made ready: validated once, lane, processor level and machine picked once. The only
+//! door for `eval`, vectors, rendering and bindings.
+
+mod record;
+
+pub use record::{Drawing, Span};
+
+use crate::cover::Rect;
+use crate::dda::Processor;
+use crate::machine::{DrawError, EdgeFunction, EdgeWalk, Input, Machine, Ports, Sink, Target};
+use crate::profile::{Form, InvalidProfile, Profile};
+use crate::scene;
+use crate::setup::{Triangle, VertexError};
+use crate::value::Depth;
+
+/// The version of the model: raised by any change of an emitted bit, and named in the CHANGELOG.
+pub const MODEL_VERSION: u32 = 1;
+
+/// A profile, ready to draw.
+#[derive(Debug)]
+pub struct Model {
+    profile: Profile,
+    clip: Rect,
+    machine: Box<dyn Machine>,
+    depth: Option<Depth>,
+}
+
+/// What a caller may set beside the profile; nothing here changes the bits of a sample.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct View {
+    /// Window size instead of the profile's.
+    pub window: Option<(u32, u32)>,
+    /// Draw only here.
+    pub scissor: Option<Rect>,
+    /// Processor level; the best by default.
+    pub processor: Processor,
+}
+
+/// Why a primitive was not drawn.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum PrimitiveError {
+    /// A vertex lies outside its field.
+    #[error(transparent)]
+    Vertex(#[from] VertexError),
+    /// The machine refused it.
+    #[error(transparent)]
+    Draw(#[from] DrawError),
+    /// Depth was given to a profile without depth.
+    #[error("the profile has no [depth]: give vertices as [x, y]")]
+    NoDepth,
+}
+
+impl Model {
+    /// The model of a profile, in the profile's window.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn new(profile: &Profile) -> Result<Self, InvalidProfile> {
+        Self::with_view(profile, View::default())
+    }
+
+    /// The model of a profile, seen through `view`.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn with_view(profile: &Profile, view: View) -> Result<Self, InvalidProfile> {
+        let mut profile = profile.clone();
+        if let Some((width, height)) = view.window {
+            profile.window = crate::profile::WindowConfig { width, height };
+        }
+        profile.validate()?;
+        let vertex = profile.vertex;
+        let window = profile.window()?;
+        let clip = view.scissor.map_or(window, |scissor| window.intersect(scissor));
+        let target = Target { grid: profile.grid()?, clip };
+        let processor = view.processor;
+        let depth =
+            profile.depth.map(|config| Depth::new(config, &vertex, processor)).transpose()?;
+        let machine: Box<dyn Machine> = match profile.form {
+            Form::EdgeFunction(edges) => {
+                Box::new(EdgeFunction::new(edges, depth, &vertex, target, processor))
+            }
+            Form::EdgeWalk(walk) => {
+                let word = walk.validate(&vertex)?;
+                Box::new(EdgeWalk::new(walk, word, depth, &vertex, target))
+            }
+        };
+        Ok(Self { profile, clip, machine, depth })
+    }
+
+    /// The profile, with the window in force.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// The pixels drawn to.
+    pub fn clip(&self) -> Rect {
+        self.clip
+    }
+
+    /// The machine's words.
+    pub fn ports(&self) -> &Ports {
+        self.machine.ports()
+    }
+
+    /// The depth evaluator, if the profile has depth.
+    pub fn depth(&self) -> Option<&Depth> {
+        self.depth.as_ref()
+    }
+
+    /// The viewport that scenes land in.
+    pub fn viewport(&self) -> scene::Viewport {
+        scene::Viewport {
+            width: self.profile.window.width,
+            height: self.profile.window.height,
+            depth_max: self.profile.depth_max(),
+        }
+    }
+
+    /// Brings a scene's triangle to the profile's grid: integers are checked, reals are snapped.
+    /// Depth is dropped where the profile has none and the triangle comes from a mesh.
+    ///
+    /// # Errors
+    /// [`PrimitiveError`] for a vertex outside the field: never a wrap.
+    pub fn snap(&self, triangle: &scene::Triangle) -> Result<Triangle, PrimitiveError> {
+        let vertex = &self.profile.vertex;
+        let depth_range = (0, i128::from(self.profile.depth_max()));
+        let mut xy = [[0; 2]; 3];
+        let mut depths = [0; 3];
+        let has_depth = match triangle {
+            scene::Triangle::Lattice { xy: from, z } => {
+                for (n, point) in from.iter().enumerate() {
+                    for (axis, value) in point.iter().enumerate() {
+                        xy[n][axis] = vertex.accept(n, axis, *value)?;
+                    }
+                }
+                if z.is_some() && self.profile.depth.is_none() {
+                    return Err(PrimitiveError::NoDepth);
+                }
+                for (n, value) in z.iter().flatten().enumerate() {
+                    depths[n] = in_depth(n, *value, depth_range)?;
+                }
+                z.is_some()
+            }
+            scene::Triangle::Real { xy: from, z } => {
+                for (n, point) in from.iter().enumerate() {
+                    for (axis, value) in point.iter().enumerate() {
+                        xy[n][axis] =
+                            vertex.snap((n, axis), *value, vertex.sub_pixel, vertex.range())?;
+                    }
+                }
+                let z = z.filter(|_| self.profile.depth.is_some());
+                for (n, value) in z.iter().flatten().enumerate() {
+                    depths[n] = vertex.snap((n, 2), *value, 0, depth_range)?;
+                }
+                z.is_some()
+            }
+        };
+        Ok(Triangle { xy, z: has_depth.then_some(depths) })
+    }
+
+    /// Draws a triangle of the profile's grid.
+    ///
+    /// # Errors
+    /// [`DrawError`] if the profile refuses what happened.
+    pub fn draw(&self, triangle: &Triangle, out: &mut dyn Sink) -> Result<(), DrawError> {
+        self.machine.draw(&Input::Triangle(triangle), out)
+    }
+}
+
+fn in_depth(vertex: usize, value: i128, (low, high): (i128, i128)) -> Result<i128, VertexError> {
+    if (low..=high).contains(&value) {
+        Ok(value)
+    } else {
+        Err(VertexError::Outside { vertex, axis: 2, value, low, high })
+    }
+}

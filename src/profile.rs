@@ -1,0 +1,182 @@
+//! Profiles: everything a rasterizer decides, as a composition of what the rooms below own.
+//! Spec clauses `F-4` and `F-5`; the file format is TOML with a published JSON schema.
+
+mod builtin;
+mod load;
+mod neighbour;
+
+pub use builtin::{BUILTIN, builtin};
+pub use load::{ProfileError, load, parse};
+pub use neighbour::{Neighbour, neighbours};
+
+use crate::cover::{
+    EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleError, SampleGrid,
+};
+use crate::machine::{EdgeWalkConfig, EdgeWalkError};
+use crate::setup::{VertexConfig, VertexError};
+use crate::value::{DepthConfig, DepthError};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The schema version this build reads and writes.
+pub const SCHEMA: u32 = 1;
+
+/// A rasterizer, described.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct Profile {
+    /// Schema version, 1.
+    pub schema: u32,
+    /// Short name: letters, digits, `-`, `_` and `.`; vector folders are named after it.
+    pub name: String,
+    /// One sentence on what it models.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub about: String,
+    /// Pixels drawn to.
+    pub window: WindowConfig,
+    /// The vertex field.
+    pub vertex: VertexConfig,
+    /// Sample position; pixel centres when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sample: Option<SampleConfig>,
+    /// How a primitive becomes coverage.
+    pub form: Form,
+    /// The depth plane; no depth when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub depth: Option<DepthConfig>,
+}
+
+/// Window size in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct WindowConfig {
+    /// Columns.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+/// The coverage half of a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum Form {
+    /// Three edge functions.
+    EdgeFunction(EdgeWordConfig),
+    /// Three x DDAs.
+    EdgeWalk(EdgeWalkConfig),
+}
+
+/// A profile whose parts do not go together.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum InvalidProfile {
+    /// Another schema version.
+    #[error("schema = {0}: this build reads schema 1")]
+    Schema(u32),
+    /// A name that cannot name a folder.
+    #[error(
+        "name = {0:?}: a name has 1 to 64 of a-z A-Z 0-9 - _ . and does not begin with a point or a hyphen"
+    )]
+    Name(String),
+    /// The window.
+    #[error(transparent)]
+    Window(#[from] RectError),
+    /// The vertex field.
+    #[error(transparent)]
+    Vertex(#[from] VertexError),
+    /// The sample position.
+    #[error(transparent)]
+    Sample(#[from] SampleError),
+    /// The edge word.
+    #[error(transparent)]
+    EdgeWord(#[from] EdgeWordError),
+    /// The walked edge.
+    #[error(transparent)]
+    EdgeWalk(#[from] EdgeWalkError),
+    /// The depth plane.
+    #[error(transparent)]
+    Depth(#[from] DepthError),
+}
+
+impl InvalidProfile {
+    /// The table or key the fault lies in, from the profile's root.
+    pub fn field(&self) -> &'static [&'static str] {
+        match self {
+            Self::Schema(_) => &["schema"],
+            Self::Name(_) => &["name"],
+            Self::Window(_) => &["window"],
+            Self::Vertex(_) => &["vertex"],
+            Self::Sample(_) => &["sample"],
+            Self::EdgeWord(_) => &["form", "edge-function", "width"],
+            Self::EdgeWalk(_) => &["form", "edge-walk"],
+            Self::Depth(DepthError::ReadOut(_)) => &["depth", "integer"],
+            Self::Depth(DepthError::Division(_)) => &["depth", "division"],
+            Self::Depth(DepthError::Growth { .. }) => &["depth", "interpolation"],
+        }
+    }
+}
+
+impl Profile {
+    /// Checks every part and that they go together.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality with its numbers.
+    pub fn validate(&self) -> Result<(), InvalidProfile> {
+        if self.schema != SCHEMA {
+            return Err(InvalidProfile::Schema(self.schema));
+        }
+        let legal = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+        let name = &self.name;
+        if !(1..=64).contains(&name.len())
+            || !name.chars().all(legal)
+            || name.starts_with(['.', '-'])
+        {
+            return Err(InvalidProfile::Name(name.clone()));
+        }
+        self.vertex.validate()?;
+        self.window()?;
+        self.grid()?;
+        match &self.form {
+            Form::EdgeFunction(edges) => edges.validate()?,
+            Form::EdgeWalk(walk) => {
+                walk.validate(&self.vertex)?;
+            }
+        }
+        if let Some(depth) = &self.depth {
+            depth.validate(&self.vertex)?;
+        }
+        Ok(())
+    }
+
+    /// The window.
+    ///
+    /// # Errors
+    /// [`RectError`] if a side is 0 or above 65536.
+    pub fn window(&self) -> Result<Rect, RectError> {
+        Rect::window(self.window.width, self.window.height)
+    }
+
+    /// The sample grid.
+    ///
+    /// # Errors
+    /// [`SampleError`] if the position is off the grid.
+    pub fn grid(&self) -> Result<SampleGrid, SampleError> {
+        SampleGrid::new(self.sample, self.vertex.sub_pixel)
+    }
+
+    /// The largest depth code, or 0 without depth.
+    pub fn depth_max(&self) -> u64 {
+        self.depth.map_or(0, |depth| u64::MAX >> 64u32.saturating_sub(depth.integer).min(63))
+    }
+
+    /// The profile as TOML, a fixed point of [`parse`].
+    pub fn to_toml(&self) -> String {
+        // Serialising plain tables of strings and integers has no way to fail.
+        toml::to_string(self).unwrap_or_default()
+    }
+}
+
+/// The JSON schema of profile files.
+pub fn schema() -> String {
+    let schema = schemars::schema_for!(Profile);
+    serde_json::to_string_pretty(&schema).unwrap_or_default() + "\n"
+}

@@ -1,0 +1,146 @@
+//! The one-change neighbours of a profile: what `verify` tries when a dump disagrees.
+
+use super::{Form, Profile};
+use crate::bits::Rounding;
+use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};
+use crate::format::Clamp;
+use crate::machine::EdgeWalkConfig;
+use crate::setup::Division;
+use crate::value::{DepthConfig, StartBias};
+use std::fmt::Display;
+
+/// A profile that differs in one decision, and that decision in words.
+#[derive(Clone, Debug)]
+pub struct Neighbour {
+    /// What differs, such as `depth.rounding is floor instead of nearest-even`.
+    pub change: String,
+    /// The changed profile, valid.
+    pub profile: Profile,
+}
+
+/// Every valid profile one change away, likeliest defects first.
+pub fn neighbours(profile: &Profile) -> Vec<Neighbour> {
+    let mut list = List { profile, found: Vec::new() };
+    list.depth();
+    match profile.form {
+        Form::EdgeFunction(edges) => list.edge_function(edges),
+        Form::EdgeWalk(walk) => list.edge_walk(walk),
+    }
+    list.vertex();
+    list.found
+}
+
+struct List<'a> {
+    profile: &'a Profile,
+    found: Vec<Neighbour>,
+}
+
+impl List<'_> {
+    fn add(&mut self, field: &str, got: &dyn Display, was: &dyn Display, changed: Profile) {
+        if changed != *self.profile && changed.validate().is_ok() {
+            let change = format!("{field} is {got} instead of {was}");
+            self.found.push(Neighbour { change, profile: changed });
+        }
+    }
+
+    fn depth(&mut self) {
+        let Some(depth) = self.profile.depth else { return };
+        let profile = self.profile;
+        let with = |change: &dyn Fn(&mut DepthConfig)| {
+            let mut changed = profile.clone();
+            changed.depth.iter_mut().for_each(change);
+            changed
+        };
+        for clamp in Clamp::ALL {
+            let changed = with(&|d| d.clamp = clamp);
+            self.add("depth.clamp", &clamp.name(), &depth.clamp.name(), changed);
+        }
+        for guard in near(depth.guard) {
+            self.add("depth.guard", &guard, &depth.guard, with(&|d| d.guard = guard));
+        }
+        for rounding in Rounding::ALL {
+            let changed = with(&|d| d.rounding = rounding);
+            self.add("depth.rounding", &rounding, &depth.rounding, changed);
+        }
+        for bits in near(depth.interpolation) {
+            let changed = with(&|d| d.interpolation = bits);
+            self.add("depth.interpolation", &bits, &depth.interpolation, changed);
+        }
+        for (bias, name, other) in
+            [(StartBias::Half, "half", "none"), (StartBias::None, "none", "half")]
+        {
+            self.add("depth.start-bias", &name, &other, with(&|d| d.start_bias = bias));
+        }
+        let was = match depth.division {
+            Division::Quotient => "an exact quotient".to_owned(),
+            Division::Reciprocal { bits } => format!("a reciprocal of {bits} bits"),
+        };
+        for bits in [12, 16, 18, 20, 24, 32] {
+            let changed = with(&|d| d.division = Division::Reciprocal { bits });
+            self.add("depth.division", &format!("a reciprocal of {bits} bits"), &was, changed);
+        }
+        let changed = with(&|d| d.division = Division::Quotient);
+        self.add("depth.division", &"an exact quotient", &was, changed);
+    }
+
+    fn edge_function(&mut self, edges: EdgeWordConfig) {
+        let profile = self.profile;
+        let with = |change: &dyn Fn(&mut EdgeWordConfig)| {
+            let mut changed = edges;
+            change(&mut changed);
+            Profile { form: Form::EdgeFunction(changed), ..profile.clone() }
+        };
+        for (rule, name, other) in
+            [(FillRule::TopLeft, "top-left", "shadow"), (FillRule::Shadow, "shadow", "top-left")]
+        {
+            self.add("form.edge-function.rule", &name, &other, with(&|e| e.rule = rule));
+        }
+        for (storage, name, other) in
+            [(EdgeStorage::Full, "full", "shifted"), (EdgeStorage::Shifted, "shifted", "full")]
+        {
+            let changed = with(&|e| e.storage = storage);
+            self.add("form.edge-function.storage", &name, &other, changed);
+        }
+        for width in near(edges.width) {
+            let changed = with(&|e| e.width = width);
+            self.add("form.edge-function.width", &width, &edges.width, changed);
+        }
+    }
+
+    fn edge_walk(&mut self, walk: EdgeWalkConfig) {
+        let profile = self.profile;
+        let with = |changed| Profile { form: Form::EdgeWalk(changed), ..profile.clone() };
+        for rounding in Rounding::ALL {
+            let changed = with(EdgeWalkConfig { rounding, ..walk });
+            self.add("form.edge-walk.rounding", &rounding, &walk.rounding, changed);
+        }
+        for fraction in near(walk.fraction) {
+            let changed = with(EdgeWalkConfig { fraction, ..walk });
+            self.add("form.edge-walk.fraction", &fraction, &walk.fraction, changed);
+        }
+    }
+
+    fn vertex(&mut self) {
+        let half = 1 << self.profile.vertex.sub_pixel >> 1;
+        let SampleConfig { x, y } =
+            self.profile.sample.unwrap_or(SampleConfig { x: half, y: half });
+        for (to_x, to_y) in [(0, 0), (half, half), (x + 1, y), (x, y + 1)] {
+            if (to_x, to_y) != (x, y) {
+                let sample = Some(SampleConfig { x: to_x, y: to_y });
+                let changed = Profile { sample, ..self.profile.clone() };
+                let [got, was] = [(to_x, to_y), (x, y)].map(|(x, y)| format!("({x}, {y})"));
+                self.add("sample", &got, &was, changed);
+            }
+        }
+        for snap in Rounding::ALL {
+            let mut changed = self.profile.clone();
+            changed.vertex.snap = snap;
+            self.add("vertex.snap", &snap, &self.profile.vertex.snap, changed);
+        }
+    }
+}
+
+/// One less (if any) and one more.
+fn near(bits: u32) -> impl Iterator<Item = u32> {
+    bits.checked_sub(1).into_iter().chain([bits + 1])
+}

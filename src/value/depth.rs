@@ -1,0 +1,166 @@
+//! The Z/w depth plane: guard, integer and interpolation bits, a start and two slopes.
+
+use crate::bits::{Place, Rounding, SpanEvents};
+use crate::cover::SampleGrid;
+use crate::dda::{Line, Processor, row_values};
+use crate::format::{Clamp, Decode, ReadOut, ReadOutError};
+use crate::setup::{Division, DivisionError, Gradient, Plane, Triangle, VertexConfig};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What is added to the start of the plane, so that the floor of the read-out rounds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StartBias {
+    /// Nothing: the read-out truncates.
+    #[default]
+    None,
+    /// One half of a result unit: the read-out rounds to nearest.
+    Half,
+}
+
+/// A depth plane budget.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct DepthConfig {
+    /// Guard bits above the integer bits.
+    pub guard: u32,
+    /// Depth bits.
+    pub integer: u32,
+    /// Interpolation bits below them.
+    pub interpolation: u32,
+    /// Rounding of the start and of each slope.
+    pub rounding: Rounding,
+    /// How slopes are divided.
+    pub division: Division,
+    /// What the read-out does outside the depth range.
+    pub clamp: Clamp,
+    /// What the start gains.
+    #[serde(default)]
+    pub start_bias: StartBias,
+}
+
+/// A depth plane that cannot be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DepthError {
+    /// The read-out is malformed.
+    #[error(transparent)]
+    ReadOut(#[from] ReadOutError),
+    /// The division is malformed.
+    #[error(transparent)]
+    Division(#[from] DivisionError),
+    /// The exact numerators outgrow 128-bit arithmetic (clause `P-5`).
+    #[error(
+        "integer + 2 * vertex difference bits + 4 + interpolation + reciprocal bits = \
+         {integer} + 2 * {difference} + 4 + {interpolation} + {reciprocal} = {sum} > 126: \
+         set-up would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+    )]
+    Growth {
+        /// Depth bits.
+        integer: u32,
+        /// Bits of a vertex difference.
+        difference: u32,
+        /// Interpolation bits.
+        interpolation: u32,
+        /// Bits of the reciprocal, or 0.
+        reciprocal: u32,
+        /// Their sum.
+        sum: u32,
+    },
+}
+
+impl DepthConfig {
+    /// Checks the budget and its growth, and returns the accumulator's format.
+    ///
+    /// # Errors
+    /// [`DepthError`] names the violated inequality.
+    pub fn validate(&self, vertex: &VertexConfig) -> Result<ReadOut, DepthError> {
+        let Self { guard, integer, interpolation, clamp, division, .. } = *self;
+        let read = ReadOut::new(guard, integer, interpolation, clamp)?;
+        division.validate()?;
+        let (difference, reciprocal) = (vertex.difference_bits(), division.growth());
+        let sum = integer + 2 * difference + 4 + interpolation + reciprocal;
+        if sum > 126 {
+            return Err(DepthError::Growth { integer, difference, interpolation, reciprocal, sum });
+        }
+        Ok(read)
+    }
+}
+
+/// A depth evaluator, prepared for a lane.
+#[derive(Clone, Copy, Debug)]
+pub struct Depth {
+    config: DepthConfig,
+    read: ReadOut,
+    narrow: Option<Decode<i64>>,
+    wide: Option<Decode<i128>>,
+    processor: Processor,
+}
+
+impl Depth {
+    /// Prepares the evaluator of a profile.
+    ///
+    /// # Errors
+    /// [`DepthError`] names the violated inequality.
+    pub fn new(
+        config: DepthConfig,
+        vertex: &VertexConfig,
+        processor: Processor,
+    ) -> Result<Self, DepthError> {
+        let read = config.validate(vertex)?;
+        Ok(Self { config, read, narrow: read.decode(), wide: read.decode(), processor })
+    }
+
+    /// The accumulator's format.
+    pub fn read_out(&self) -> ReadOut {
+        self.read
+    }
+
+    /// The rounded plane of a normalised triangle of positive area, unreduced.
+    pub fn plane(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> Plane {
+        let DepthConfig { rounding, division, interpolation, start_bias, .. } = self.config;
+        let gradient = Gradient::new(triangle, z);
+        let mut plane =
+            Plane::round(&gradient, grid.offset, grid.sub_pixel, interpolation, rounding, division);
+        if start_bias == StartBias::Half && interpolation > 0 {
+            plane.start += 1 << (interpolation - 1);
+        }
+        plane
+    }
+
+    /// Reads the run of `out.len()` samples from pixel (x, y) rightward.
+    pub fn span(&self, plane: &Plane, y: u32, x: u32, out: &mut [u64]) {
+        let start = plane.at(i128::from(x), i128::from(y));
+        match (self.narrow, self.wide) {
+            (Some(decode), _) => {
+                row_values(self.processor, decode, decode.load(start), decode.slope(plane.dx), out);
+            }
+            (None, Some(decode)) => {
+                row_values(self.processor, decode, decode.load(start), decode.slope(plane.dx), out);
+            }
+            (None, None) => self.sticky_span(plane, y, x, out),
+        }
+    }
+
+    /// A sticky accumulator has a path: down column 0 from the window's corner, then right.
+    fn sticky_span(&self, plane: &Plane, y: u32, x: u32, out: &mut [u64]) {
+        let mut walker = crate::dda::Walker::new(self.read, plane.start, plane.dx, plane.dy);
+        for _ in 0..y {
+            walker.clock(crate::dda::Op::StepY);
+        }
+        for _ in 0..x {
+            walker.clock(crate::dda::Op::StepX);
+        }
+        for slot in out {
+            *slot = walker.out();
+            walker.clock(crate::dda::Op::StepX);
+        }
+    }
+
+    /// The events of the run of `count` samples from pixel (x, y) rightward, in closed form.
+    pub fn events(&self, plane: &Plane, y: u32, x: u32, count: u32) -> SpanEvents {
+        let start = plane.at(i128::from(x), i128::from(y));
+        let line = Line { start, slope: plane.dx, count: u64::from(count) };
+        line.events(self.read, Place { y: i64::from(y), x: i64::from(x) })
+    }
+}

@@ -1,0 +1,371 @@
+//! The `setup` bench (vertices in, words out) and the `triangle` bench (words in; spans, depths
+//! and events out).
+
+use super::{Bench, Coverage, FileSpec, Group, Source, TestAt};
+use crate::bits::Event;
+use crate::case::Words;
+use crate::case::triangle::{self, Directed, Stimulus};
+use crate::cover::Rect;
+use crate::format::Column;
+use crate::model::{Drawing, Model, Span, View};
+use crate::profile::neighbours;
+use crate::setup::{Gradient, Triangle};
+use crate::vector::table::Table;
+use std::sync::Arc;
+
+/// Walk rows per random or scene test of the set-up bench.
+const ROWS_PER_SETUP: u64 = 64;
+/// Walk rows per random or scene test of the triangle bench.
+const ROWS_PER_TRIANGLE: u64 = 512;
+/// The largest bounding box, in samples, that the triangle bench draws.
+const LARGEST: i128 = 1024;
+/// Extent of a random triangle of that bench, in pixels.
+const REACH: i128 = 16;
+
+/// A defect that no profile describes, applied to what was drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Quirk {
+    None,
+    RightEndIncluded,
+    LeftEndExcluded,
+    RowsLate,
+    NoSwap,
+}
+
+const QUIRKS: [(Quirk, &str); 4] = [
+    (Quirk::RightEndIncluded, "spans include the pixel at their right end (off by one)"),
+    (Quirk::LeftEndExcluded, "spans leave out the pixel at their left end (off by one)"),
+    (Quirk::RowsLate, "rows are numbered one too high (off by one)"),
+    (Quirk::NoSwap, "triangles of negative area are not turned round: v1 and v2 keep their places"),
+];
+
+/// Tests of whole triangles.
+#[derive(Clone, Debug)]
+pub struct TriangleBench {
+    draws: bool,
+    model: Arc<Model>,
+    quirk: Quirk,
+    directed: Arc<Vec<Directed>>,
+    scene: Arc<Vec<Triangle>>,
+    stimulus: Stimulus,
+    seed: u64,
+    files: Vec<FileSpec>,
+    groups: Vec<Group>,
+}
+
+impl TriangleBench {
+    /// Vertices in; edge words, start and slopes out.
+    pub fn setup(source: &Source) -> Self {
+        Self::new(source, false)
+    }
+
+    /// Set-up in; spans, depths and events out.
+    pub fn triangle(source: &Source) -> Self {
+        Self::new(source, true)
+    }
+
+    fn new(source: &Source, draws: bool) -> Self {
+        let model = Arc::new(ready(&source.profile, draws));
+        let stimulus = Stimulus::new(&source.profile);
+        let small = |triangle: &Triangle| !draws || samples(&model, triangle) <= LARGEST;
+        let mut directed = stimulus.directed();
+        for class in &mut directed {
+            class.triangles.retain(|triangle| small(triangle));
+        }
+        directed.retain(|class| !class.triangles.is_empty());
+        let scene: Vec<Triangle> = source.scene.iter().copied().filter(small).collect();
+        let share = source.count / if draws { ROWS_PER_TRIANGLE } else { ROWS_PER_SETUP };
+        let mut groups: Vec<Group> = directed
+            .iter()
+            .map(|class| Group { class: class.class, tests: class.triangles.len() as u64 })
+            .collect();
+        groups.push(Group { class: triangle::SCENE, tests: share.min(scene.len() as u64) });
+        groups.push(Group { class: triangle::RANDOM, tests: share });
+        // A small set is cut to its size: never more tests than rows were asked for.
+        let mut left = source.count;
+        for group in &mut groups {
+            group.tests = group.tests.min(left);
+            left -= group.tests;
+        }
+        let files = file_specs(&model, draws);
+        let (directed, scene) = (Arc::new(directed), Arc::new(scene));
+        let (quirk, seed) = (Quirk::None, source.seed);
+        Self { draws, model, quirk, directed, scene, stimulus, seed, files, groups }
+    }
+
+    /// The vertices of a test.
+    pub fn triangle_at(&self, at: TestAt) -> Triangle {
+        if let Some(class) = self.directed.get(at.group) {
+            return class.triangles[usize::try_from(at.index).unwrap_or(0)];
+        }
+        if at.group == self.directed.len() {
+            return self.scene[scattered(at.index, self.scene.len())];
+        }
+        let class = if self.draws { 4 } else { 3 };
+        let words = Words::new(self.seed, class, at.index);
+        self.stimulus.random(words, self.draws.then_some(REACH))
+    }
+
+    fn drawn(&self, triangle: &Triangle) -> Drawing {
+        let mut drawing = Drawing::default();
+        // A device without the swap sees a negative area and, inside being positive, no samples.
+        if self.quirk == Quirk::NoSwap && triangle.area2() < 0 {
+            return drawing;
+        }
+        // The clamp mode `error` refuses a triangle: it then has no rows.
+        if self.model.draw(triangle, &mut drawing).is_err() {
+            drawing.spans.clear();
+            drawing.depth.clear();
+        }
+        drawing
+    }
+
+    fn emit_setup(&self, triangle: &Triangle, tables: &mut [Table], coverage: &mut Coverage) {
+        let [cfg, exp] = tables else { return };
+        cfg.push(&input_words(triangle, self.model.depth().is_some()));
+        let drawing = self.drawn(triangle);
+        exp.push(&setup_words(&self.model, &drawing));
+        self.note_setup(triangle, coverage);
+    }
+
+    fn note_setup(&self, triangle: &Triangle, coverage: &mut Coverage) {
+        let triangle = triangle.normalised();
+        let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
+        if triangle.area2() == 0 {
+            return;
+        }
+        let gradient = Gradient::new(&triangle, z);
+        let Ok(grid) = self.model.profile().grid() else { return };
+        let plane = depth.plane(&triangle, z, &grid);
+        let scaled = gradient.x << (grid.sub_pixel + depth.read_out().fraction());
+        let rest = scaled.rem_euclid(gradient.area2);
+        let remainder = match (rest, (2 * rest).cmp(&gradient.area2)) {
+            (0, _) => 0,
+            (_, std::cmp::Ordering::Less) => 1,
+            (_, std::cmp::Ordering::Equal) => 2,
+            (_, std::cmp::Ordering::Greater) => 3,
+        };
+        let octant = Coverage::octant(gradient.x, gradient.y);
+        coverage.note(octant, depth.read_out().zone(plane.start), remainder);
+    }
+
+    fn emit_triangle(
+        &self,
+        triangle: &Triangle,
+        test: u64,
+        tables: &mut [Table],
+        coverage: &mut Coverage,
+    ) {
+        let [cfg, exp, spans, rest @ ..] = tables else { return };
+        let drawing = self.drawn(triangle);
+        let test = i128::from(test);
+        let mut words = vec![test];
+        words.extend(setup_words(&self.model, &drawing));
+        words.extend(bounds(&self.model, triangle).map(i128::from));
+        cfg.push(&words);
+        let mut rows: Vec<(Span, usize)> = Vec::with_capacity(drawing.spans.len());
+        let mut first = 0;
+        for span in &drawing.spans {
+            let quirky = match self.quirk {
+                Quirk::RightEndIncluded => Span { x1: span.x1 + 1, ..*span },
+                Quirk::LeftEndExcluded => Span { x0: span.x0 + 1, ..*span },
+                Quirk::RowsLate => Span { y: span.y + 1, ..*span },
+                Quirk::None | Quirk::NoSwap => *span,
+            };
+            rows.push((quirky, first));
+            first += (span.x1 - span.x0) as usize;
+        }
+        rows.retain(|(span, _)| span.x0 < span.x1);
+        let count = |event| i128::from(drawing.events.total.count(event));
+        let samples: u64 = rows.iter().map(|(span, _)| u64::from(span.x1 - span.x0)).sum();
+        exp.push(&[
+            test,
+            rows.len() as i128,
+            i128::from(samples),
+            count(Event::Wrap),
+            count(Event::ClampAbove),
+            count(Event::ClampBelow),
+            count(Event::Inexact),
+            i128::from(drawing.zero_area),
+        ]);
+        for (span, _) in &rows {
+            spans.push(&[test, i128::from(span.y), i128::from(span.x0), i128::from(span.x1)]);
+        }
+        let [depths] = rest else { return };
+        for (span, first) in &rows {
+            for (n, x) in (span.x0..span.x1).enumerate() {
+                let z = drawing.depth.get(first + n).copied().unwrap_or_default();
+                depths.push(&[test, i128::from(x), i128::from(span.y), i128::from(z)]);
+            }
+        }
+        self.note_samples(triangle, &drawing, coverage);
+    }
+
+    fn note_samples(&self, triangle: &Triangle, drawing: &Drawing, coverage: &mut Coverage) {
+        let triangle = triangle.normalised();
+        let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
+        let Ok(grid) = self.model.profile().grid() else { return };
+        if drawing.spans.is_empty() {
+            return;
+        }
+        let plane = depth.plane(&triangle, z, &grid);
+        let read = depth.read_out();
+        let octant = Coverage::octant(plane.dx, plane.dy);
+        for span in &drawing.spans {
+            for x in span.x0..span.x1 {
+                let value = plane.at(i128::from(x), i128::from(span.y));
+                let remainder = Coverage::remainder(value.cast_unsigned(), read.fraction());
+                coverage.note(octant, read.zone(value), remainder);
+            }
+        }
+    }
+}
+
+/// Scene triangle number `index`, scattered over the whole scene: a stride that shares no factor
+/// with the length visits each once a lap, whatever the size of the set.
+fn scattered(index: u64, length: usize) -> usize {
+    let length = length.max(1) as u64;
+    let stride = (length * 5 / 8..=length).find(|n| num_integer::gcd(*n, length) == 1).unwrap_or(1);
+    let place = u128::from(index) * u128::from(stride) % u128::from(length);
+    usize::try_from(place).unwrap_or(0)
+}
+
+/// The model of a valid profile; the set-up bench draws nothing.
+fn ready(profile: &crate::profile::Profile, draws: bool) -> Model {
+    let nothing = Rect { x0: 0, y0: 0, x1: 0, y1: 0 };
+    let view = View { scissor: (!draws).then_some(nothing), ..View::default() };
+    Model::with_view(profile, view).unwrap_or_else(|error| unreachable!("a valid profile: {error}"))
+}
+
+/// The bounding box of a triangle in the window: x0 y0 x1 y1, half-open.
+fn bounds(model: &Model, triangle: &Triangle) -> [u32; 4] {
+    let clip = model.clip();
+    let Ok(grid) = model.profile().grid() else { return [0; 4] };
+    let (x0, x1) = clip.clip(0, grid.pixels(0, triangle.extent(0)));
+    let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
+    [x0, y0, x1, y1]
+}
+
+fn samples(model: &Model, triangle: &Triangle) -> i128 {
+    let [x0, y0, x1, y1] = bounds(model, triangle);
+    i128::from(x1 - x0) * i128::from(y1 - y0)
+}
+
+fn input_words(triangle: &Triangle, has_depth: bool) -> Vec<i128> {
+    let z = triangle.z.unwrap_or_default();
+    let vertices = triangle.xy.iter().zip(z);
+    vertices
+        .flat_map(|([x, y], z)| [Some(*x), Some(*y), has_depth.then_some(z)])
+        .flatten()
+        .collect()
+}
+
+/// Set-up words and the zero-area flag; a degenerate triangle has zeros.
+fn setup_words(model: &Model, drawing: &Drawing) -> Vec<i128> {
+    let mut words = drawing.setup.clone();
+    words.resize(model.ports().setup.len(), 0);
+    words.push(i128::from(drawing.zero_area));
+    words
+}
+
+fn file_specs(model: &Model, draws: bool) -> Vec<FileSpec> {
+    let ports = model.ports();
+    let mut setup = ports.setup.clone();
+    setup.push(Column::new(
+        "zero_area",
+        1,
+        false,
+        0,
+        "1 when the triangle has no area and draws nothing.",
+    ));
+    let spec = |stem: &str, columns| FileSpec { stem: stem.to_owned(), columns };
+    if !draws {
+        return vec![spec("setup.cfg", ports.input.clone()), spec("setup.exp", setup)];
+    }
+    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
+    let pixel = |name, meaning| Column::new(name, 17, false, 0, meaning);
+    let count = |name, meaning| Column::new(name, 32, false, 0, meaning);
+    let mut cfg = vec![test()];
+    cfg.extend(setup);
+    cfg.extend([
+        pixel("x0", "First column of the bounding box in the window."),
+        pixel("y0", "First row of the bounding box."),
+        pixel("x1", "One past its last column."),
+        pixel("y1", "One past its last row."),
+    ]);
+    let exp = vec![
+        test(),
+        count("spans", "Maximal runs of covered samples."),
+        count("samples", "Covered samples."),
+        count("wrap", "Covered samples whose depth left the guard range."),
+        count("clamp_above", "Covered samples held at the maximum."),
+        count("clamp_below", "Covered samples held at zero."),
+        count("inexact", "Covered samples whose read-out dropped a fraction."),
+        Column::new("zero_area", 1, false, 0, "1 when the triangle has no area."),
+    ];
+    let span = vec![
+        test(),
+        pixel("y", "Row."),
+        pixel("x0", "First covered column."),
+        pixel("x1", "One past the last covered column."),
+    ];
+    let mut files =
+        vec![spec("triangle.cfg", cfg), spec("triangle.exp", exp), spec("span.exp", span)];
+    if let Some(z) = &ports.depth {
+        let columns = vec![test(), pixel("x", "Column."), pixel("y", "Row."), z.clone()];
+        files.push(spec("depth.exp", columns));
+    }
+    files
+}
+
+impl Bench for TriangleBench {
+    fn name(&self) -> &'static str {
+        if self.draws { "triangle" } else { "setup" }
+    }
+
+    fn files(&self) -> &[FileSpec] {
+        &self.files
+    }
+
+    fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    fn rows(&self, _: TestAt) -> Option<u64> {
+        (!self.draws).then_some(1)
+    }
+
+    fn emit(&self, at: TestAt, _: u64, tables: &mut [Table], coverage: &mut Coverage) {
+        let triangle = self.triangle_at(at);
+        if let [operands] = tables {
+            let mut words = input_words(&triangle, self.model.depth().is_some());
+            words.extend(setup_words(&self.model, &self.drawn(&triangle)));
+            operands.push(&words);
+        } else if self.draws {
+            self.emit_triangle(&triangle, at.test, tables, coverage);
+        } else {
+            self.emit_setup(&triangle, tables, coverage);
+        }
+    }
+
+    fn operand_file(&self) -> Option<FileSpec> {
+        let [cfg, exp] = &self.files[..] else { return None };
+        let columns = cfg.columns.iter().chain(&exp.columns).cloned().collect();
+        Some(FileSpec { stem: self.name().to_owned(), columns })
+    }
+
+    fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {
+        let mut list: Vec<(String, Box<dyn Bench>)> = Vec::new();
+        for neighbour in neighbours(self.model.profile()) {
+            let model = Arc::new(ready(&neighbour.profile, self.draws));
+            // Columns stay those of the set: a device is compared in the set's own widths.
+            if model.ports().setup.len() == self.model.ports().setup.len() {
+                list.push((neighbour.change, Box::new(Self { model, ..self.clone() })));
+            }
+        }
+        for (quirk, name) in QUIRKS {
+            list.push((name.to_owned(), Box::new(Self { quirk, ..self.clone() })));
+        }
+        list
+    }
+}

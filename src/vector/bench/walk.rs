@@ -1,0 +1,437 @@
+//! The `dda` and `edge` benches: a planar DDA with its read-out, and an edge stepper.
+
+use super::{Bench, Coverage, FileSpec, Group, Source, TestAt};
+use crate::bits::Lane;
+use crate::case::Words;
+use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
+use crate::cover::SampleGrid;
+use crate::dda::{Op, Walker};
+use crate::format::{Clamp, Column, Decode, ReadOut};
+use crate::profile::{Form, Profile, neighbours};
+use crate::setup::Triangle;
+use crate::value::Depth;
+use crate::vector::table::Table;
+use std::sync::Arc;
+
+/// Which stepper.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WalkKind {
+    /// Depth accumulator with clamped read-out.
+    Depth,
+    /// Edge word with its sign test.
+    Edge,
+}
+
+/// A defect of a device that no profile describes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quirk {
+    /// None: as specified.
+    None,
+    /// Each row shows the state before its clock edge.
+    Late,
+    /// The read-out lags the accumulator by one row.
+    LateOut,
+    /// dx and dy change places.
+    Swapped,
+    /// A hold steps by dx.
+    HoldSteps,
+    /// Steps subtract.
+    Negated,
+    /// dy is ignored in favour of dx.
+    OnlyX,
+    /// The read-out rounds to nearest instead of truncating (depth); the zero of an edge word
+    /// counts as outside (edge).
+    OtherTie,
+    /// The read-out is inverted: clamps to the wrong ends (depth), inside for outside (edge).
+    Inverted,
+}
+
+/// The quirks tried in diagnosis, and what each is called.
+const QUIRKS: [(Quirk, &str, &str); 8] = [
+    (Quirk::Late, "an off-by-one step: each row shows the state before its clock edge", ""),
+    (
+        Quirk::LateOut,
+        "the read-out lags the accumulator by one clock",
+        "the sign test lags the edge word by one clock",
+    ),
+    (Quirk::Swapped, "dx and dy are swapped", ""),
+    (Quirk::HoldSteps, "a hold steps by dx", ""),
+    (Quirk::Negated, "steps subtract instead of adding", ""),
+    (Quirk::OnlyX, "a step down adds dx instead of dy", ""),
+    (
+        Quirk::OtherTie,
+        "the read-out rounds to nearest instead of truncating",
+        "an edge word of zero counts as outside",
+    ),
+    (Quirk::Inverted, "the clamp goes to the wrong end", "inside and outside are exchanged"),
+];
+
+/// Tests of a stepper.
+#[derive(Clone, Debug)]
+pub struct WalkBench {
+    kind: WalkKind,
+    /// Width of the stimulus words and of the files' columns.
+    width: u32,
+    /// How the device under this hypothesis reads out; for edges only its width counts.
+    read: ReadOut,
+    quirk: Quirk,
+    /// Lane decoding, where the read-out has one and it keeps the whole accumulator.
+    fast: Option<Decode<i64>>,
+    directed: Arc<Vec<Directed>>,
+    scene: Arc<Vec<Triangle>>,
+    profile: Profile,
+    depth: Option<Depth>,
+    grid: SampleGrid,
+    seed: u64,
+    files: Vec<FileSpec>,
+    groups: Vec<Group>,
+}
+
+impl WalkBench {
+    /// The bench of this kind, or `None` if the profile has no such stepper.
+    pub fn new(kind: WalkKind, source: &Source) -> Option<Self> {
+        let profile = &source.profile;
+        let grid = profile.grid().ok()?;
+        let depth = profile.depth.and_then(|config| {
+            Depth::new(config, &profile.vertex, crate::dda::Processor::best()).ok()
+        });
+        let read = Self::read_out(kind, profile, depth)?;
+        let width = read.width();
+        let directed = match kind {
+            WalkKind::Depth => walk::depth(read),
+            WalkKind::Edge => walk::edge(width),
+        };
+        let scene: Vec<Triangle> = source
+            .scene
+            .iter()
+            .map(|triangle| triangle.normalised())
+            .filter(|t| t.area2() > 0 && (kind == WalkKind::Edge || t.z.is_some()))
+            .collect();
+        let directed_rows: u64 =
+            directed.iter().flat_map(|class| &class.walks).map(|walk| u64::from(walk.rows)).sum();
+        let rest = source.count.saturating_sub(directed_rows);
+        // Half of what is left walks along the scene, the rest is random; the last walk is cut.
+        let scene_walks = if scene.is_empty() { 0 } else { rest / 2 / u64::from(SCENE_ROWS) };
+        let random_rows = rest - scene_walks * u64::from(SCENE_ROWS);
+        let mut groups: Vec<Group> = directed
+            .iter()
+            .map(|class| Group { class: class.class, tests: class.walks.len() as u64 })
+            .collect();
+        groups.push(Group { class: walk::SCENE, tests: scene_walks });
+        groups.push(Group {
+            class: walk::RANDOM,
+            tests: random_rows.div_ceil(u64::from(RANDOM_ROWS)),
+        });
+        let files = Self::file_specs(kind, width, read);
+        Some(Self {
+            kind,
+            width,
+            read,
+            quirk: Quirk::None,
+            fast: Self::fast_decode(kind, read),
+            directed: Arc::new(directed),
+            scene: Arc::new(scene),
+            profile: profile.clone(),
+            depth,
+            grid,
+            seed: source.seed,
+            files,
+            groups,
+        })
+    }
+
+    fn read_out(kind: WalkKind, profile: &Profile, depth: Option<Depth>) -> Option<ReadOut> {
+        match (kind, profile.form) {
+            (WalkKind::Depth, _) => Some(depth?.read_out()),
+            // An edge word has no fraction that is read out and no clamp.
+            (WalkKind::Edge, Form::EdgeFunction(edges)) => {
+                let integer = edges.width.min(64);
+                ReadOut::new(edges.width - integer, integer, 0, Clamp::Wrap).ok()
+            }
+            (WalkKind::Edge, Form::EdgeWalk(_)) => None,
+        }
+    }
+
+    fn fast_decode(kind: WalkKind, read: ReadOut) -> Option<Decode<i64>> {
+        let whole =
+            kind == WalkKind::Depth && !matches!(read.clamp(), Clamp::Wrap | Clamp::Saturate);
+        read.decode().filter(|_| whole)
+    }
+
+    fn file_specs(kind: WalkKind, width: u32, read: ReadOut) -> Vec<FileSpec> {
+        let op = Column::new("op", 2, false, 0, "0 load, 1 step by dx, 2 step by dy, 3 hold.");
+        let fraction = if kind == WalkKind::Depth { read.fraction() } else { 0 };
+        let word = |name, meaning| Column::new(name, width, true, fraction, meaning);
+        match kind {
+            WalkKind::Depth => {
+                let out = "Read-out after the clamp.";
+                let exp = vec![
+                    op,
+                    word("acc", "Accumulator after the clock edge."),
+                    Column::new("out", read.integer(), false, 0, out),
+                ];
+                let cfg = vec![
+                    word("init", "Accumulator that the load takes."),
+                    word("dx", "Slope per pixel to the right."),
+                    word("dy", "Slope per row downward."),
+                ];
+                vec![
+                    FileSpec { stem: "dda.cfg".to_owned(), columns: cfg },
+                    FileSpec { stem: "dda.exp".to_owned(), columns: exp },
+                ]
+            }
+            WalkKind::Edge => {
+                let cfg = vec![
+                    word("e0", "Edge word that the load takes, bias and shift done."),
+                    word("ea", "Step per pixel to the right."),
+                    word("eb", "Step per row downward."),
+                ];
+                let exp = vec![
+                    op,
+                    word("e", "Edge word after the clock edge."),
+                    Column::new("in", 1, false, 0, "1 when the sign bit of e is clear."),
+                ];
+                vec![
+                    FileSpec { stem: "edge.cfg".to_owned(), columns: cfg },
+                    FileSpec { stem: "edge.exp".to_owned(), columns: exp },
+                ]
+            }
+        }
+    }
+
+    fn walk(&self, at: TestAt) -> Walk {
+        if let Some(class) = self.directed.get(at.group) {
+            return class.walks[usize::try_from(at.index).unwrap_or(usize::MAX)];
+        }
+        if at.group == self.directed.len() {
+            return self.scene_walk(at.index);
+        }
+        let class = if self.kind == WalkKind::Depth { 1 } else { 2 };
+        walk::random(self.width, Words::new(self.seed, class, at.index))
+    }
+
+    /// A walk over the pixels of a scene triangle from the corner of its bounding box.
+    fn scene_walk(&self, index: u64) -> Walk {
+        let count = self.scene.len() as u64;
+        let triangle = self.scene[usize::try_from(index % count).unwrap_or(0)];
+        let (x0, x1) = self.grid.pixels(0, triangle.extent(0));
+        let (y0, _) = self.grid.pixels(1, triangle.extent(1));
+        let width = u32::try_from((x1 - x0).clamp(1, 1 << 16)).unwrap_or(1);
+        let pattern = Pattern::Raster(width);
+        let (init, dx, dy) = match (self.kind, self.profile.form, self.depth, triangle.z) {
+            (WalkKind::Depth, _, Some(depth), Some(z)) => {
+                let plane = depth.plane(&triangle, z, &self.grid);
+                (plane.at(x0, y0), plane.dx, plane.dy)
+            }
+            (WalkKind::Edge, Form::EdgeFunction(edges), ..) => {
+                let words = edges.words(&triangle, &self.grid);
+                // Each lap over the scene takes another edge.
+                let k = usize::try_from(index / count % 3).unwrap_or(0);
+                let start = words.value[k] + words.step_x[k] * x0 + words.step_y[k] * y0;
+                (start, words.step_x[k], words.step_y[k])
+            }
+            _ => (0, 0, 0),
+        };
+        Walk { init, dx, dy, pattern, rows: SCENE_ROWS }
+    }
+
+    /// The quick body: lane words, guard-like clamps, no quirk.
+    fn emit_fast(
+        &self,
+        walk: &Walk,
+        rows: u32,
+        decode: &Decode<i64>,
+        table: &mut Table,
+        coverage: &mut Coverage,
+    ) {
+        let unused = 64 - self.width;
+        let bias = i64::justify(0, self.width).wrapping_sub(decode.load(0));
+        let (init, dx, dy) = (decode.load(walk.init), decode.slope(walk.dx), decode.slope(walk.dy));
+        let octant = Coverage::octant(dx.value(self.width), dy.value(self.width));
+        let fraction = self.read.fraction();
+        let half = if fraction == 0 { u64::MAX } else { 1 << (fraction - 1) };
+        let fraction_mask = (1u64 << fraction) - 1;
+        let (low, high) = decode.thresholds();
+        let mut biased = init;
+        for n in 0..rows {
+            let op = walk.op(n);
+            biased = match op {
+                Op::Load => init,
+                Op::StepX => biased.wrapping_add(dx),
+                Op::StepY => biased.wrapping_add(dy),
+                Op::Hold => biased,
+            };
+            let pattern = biased.wrapping_add(bias).cast_unsigned() >> unused;
+            let rest = pattern & fraction_mask;
+            let remainder =
+                usize::from(rest != 0) + usize::from(rest >= half) + usize::from(rest > half);
+            let zone = usize::from(biased > high) + 2 * usize::from(biased < low);
+            coverage.note(octant, zone, remainder);
+            table.push_narrow([op as u64, pattern, decode.read(biased).cast_unsigned()]);
+        }
+    }
+
+    /// The plain body: any width, any clamp, any quirk.
+    fn emit_plain(&self, walk: &Walk, rows: u32, table: &mut Table, coverage: &mut Coverage) {
+        let quirk = self.quirk;
+        let (dx, dy) = match quirk {
+            Quirk::Swapped => (walk.dy, walk.dx),
+            Quirk::Negated => (-walk.dx, -walk.dy),
+            Quirk::OnlyX => (walk.dx, walk.dx),
+            _ => (walk.dx, walk.dy),
+        };
+        let mut walker = Walker::new(self.read, walk.init, dx, dy);
+        let octant = Coverage::octant(signed(walk.dx, self.width), signed(walk.dy, self.width));
+        let mut before = (0, 0);
+        for n in 0..rows {
+            let op = walk.op(n);
+            let done = if quirk == Quirk::HoldSteps && op == Op::Hold { Op::StepX } else { op };
+            walker.clock(done);
+            let now = (walker.pattern().cast_signed(), self.result(&walker));
+            let (acc, out) = match quirk {
+                Quirk::Late => before,
+                Quirk::LateOut => (now.0, before.1),
+                _ => now,
+            };
+            before = now;
+            let zone = match self.kind {
+                WalkKind::Edge => 2 * usize::from(out == 0),
+                WalkKind::Depth => self.read.zone(walker.pattern().cast_signed()),
+            };
+            coverage.note(
+                octant,
+                zone,
+                Coverage::remainder(walker.pattern(), self.read.fraction()),
+            );
+            table.push(&[op as i128, acc, i128::from(out)]);
+        }
+    }
+
+    fn result(&self, walker: &Walker) -> u64 {
+        let pattern = walker.pattern();
+        match (self.kind, self.quirk) {
+            (WalkKind::Edge, quirk) => {
+                let inside = pattern >> (self.read.width() - 1) == 0;
+                match quirk {
+                    Quirk::OtherTie => u64::from(inside && pattern != 0),
+                    Quirk::Inverted => u64::from(!inside),
+                    _ => u64::from(inside),
+                }
+            }
+            (WalkKind::Depth, Quirk::OtherTie) if self.read.fraction() > 0 => {
+                self.read.read(pattern.cast_signed() + (1 << (self.read.fraction() - 1)))
+            }
+            (WalkKind::Depth, Quirk::Inverted) => match self.read.zone(pattern.cast_signed()) {
+                1 => 0,
+                2 => self.read.maximum(),
+                _ => walker.out(),
+            },
+            _ => walker.out(),
+        }
+    }
+
+    /// The same rows in operand form: before, addend, after, result, flags. Spec clause `N-7`.
+    fn emit_operands(&self, walk: &Walk, rows: u32, table: &mut Table) {
+        let mut walker = Walker::new(self.read, walk.init, walk.dx, walk.dy);
+        for n in 0..rows {
+            let op = walk.op(n);
+            let (before, addend) = match op {
+                Op::Load => (0, walk.init),
+                Op::StepX => (walker.pattern().cast_signed(), walk.dx),
+                Op::StepY => (walker.pattern().cast_signed(), walk.dy),
+                Op::Hold => (walker.pattern().cast_signed(), 0),
+            };
+            walker.clock(op);
+            let pattern = walker.pattern().cast_signed();
+            let flags = if self.kind == WalkKind::Edge {
+                0
+            } else {
+                crate::bits::Event::ALL
+                    .iter()
+                    .filter(|event| self.read.status(self.read.reduce(pattern)).has(**event))
+                    .fold(0, |flags, event| flags | 1 << *event as u32)
+            };
+            table.push(&[before, addend, pattern, i128::from(self.result(&walker)), flags]);
+        }
+    }
+}
+
+/// The signed value of the low `width` bits.
+fn signed(value: i128, width: u32) -> i128 {
+    value << (128 - width) >> (128 - width)
+}
+
+impl Bench for WalkBench {
+    fn name(&self) -> &'static str {
+        if self.kind == WalkKind::Depth { "dda" } else { "edge" }
+    }
+
+    fn files(&self) -> &[FileSpec] {
+        &self.files
+    }
+
+    fn groups(&self) -> &[Group] {
+        &self.groups
+    }
+
+    fn rows(&self, at: TestAt) -> Option<u64> {
+        Some(match self.directed.get(at.group) {
+            Some(class) => u64::from(class.walks[usize::try_from(at.index).ok()?].rows),
+            None if at.group == self.directed.len() => u64::from(SCENE_ROWS),
+            None => u64::from(RANDOM_ROWS),
+        })
+    }
+
+    fn emit(&self, at: TestAt, limit: u64, tables: &mut [Table], coverage: &mut Coverage) {
+        let walk = self.walk(at);
+        let rows = walk.rows.min(u32::try_from(limit).unwrap_or(u32::MAX));
+        if let [operands] = tables {
+            self.emit_operands(&walk, rows, operands);
+            return;
+        }
+        let [cfg, exp] = tables else { return };
+        cfg.push(&[walk.init, walk.dx, walk.dy]);
+        match &self.fast {
+            Some(decode) => self.emit_fast(&walk, rows, decode, exp, coverage),
+            None => self.emit_plain(&walk, rows, exp, coverage),
+        }
+    }
+
+    fn operand_file(&self) -> Option<FileSpec> {
+        let word = |name, meaning| Column::new(name, self.width, true, 0, meaning);
+        let result = self.files[1].columns[2].clone();
+        let flags = "Bit 0 wrap, 1 clamped above, 2 clamped below, 3 inexact.";
+        let columns = vec![
+            word("a", "Accumulator before the clock edge, 0 for a load."),
+            word("b", "What is added."),
+            word("r", "Accumulator after the clock edge."),
+            result,
+            Column::new("flags", 4, false, 0, flags),
+        ];
+        Some(FileSpec { stem: self.name().to_owned(), columns })
+    }
+
+    fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {
+        let mut list: Vec<(String, Box<dyn Bench>)> = Vec::new();
+        for neighbour in neighbours(&self.profile) {
+            let depth = neighbour.profile.depth.and_then(|config| {
+                Depth::new(config, &neighbour.profile.vertex, crate::dda::Processor::best()).ok()
+            });
+            let Some(read) = Self::read_out(self.kind, &neighbour.profile, depth) else { continue };
+            if read != self.read {
+                // Stimulus and columns stay; only the device changes.
+                let bench = Self { read, fast: None, ..self.clone() };
+                list.push((neighbour.change, Box::new(bench)));
+            }
+        }
+        for (quirk, depth_name, edge_name) in QUIRKS {
+            let name = if self.kind == WalkKind::Edge && !edge_name.is_empty() {
+                edge_name
+            } else {
+                depth_name
+            };
+            list.push((name.to_owned(), Box::new(Self { quirk, fast: None, ..self.clone() })));
+        }
+        list
+    }
+}

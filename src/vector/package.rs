@@ -1,0 +1,87 @@
+//! The generated HDL side of a vector set: packages, testbenches and a device that passes.
+//!
+//! A set's data files are plain columns of hexadecimal words. This room writes what a hardware
+//! engineer puts beside them: packages that name every width and row count in four languages, a
+//! testbench in SystemVerilog and one in VHDL, and a small device under test to replace.
+//! Templates lie beside this file as `*.in`; `@NAME@` in them is filled in here.
+
+mod bench;
+mod c;
+mod half;
+mod keyword;
+mod record;
+mod systemverilog;
+mod template;
+mod verilog;
+mod vhdl;
+
+#[cfg(test)]
+mod test;
+
+use crate::format::Column;
+use record::Record;
+
+/// One data file of a set: its name, how many records it holds and what a record is made of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FileLayout {
+    /// File name inside the set, such as `dda.exp.tv`.
+    pub name: String,
+    /// Number of records, one a line.
+    pub rows: u64,
+    /// Columns from left to right; a file without any is left out.
+    pub columns: Vec<Column>,
+}
+
+/// The read-out of the depth machine: how an accumulator of `guard + integer + fraction` bits
+/// becomes an output of `integer` bits.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClampParameters {
+    /// Guard bits above the integer bits.
+    pub guard: u32,
+    /// Integer bits, the width of the output; at least 1.
+    pub integer: u32,
+    /// Interpolation bits below the binary point.
+    pub fraction: u32,
+    /// `wrap`, `guard`, `sign`, `saturate` or `error`. Anything else is generated as `error`,
+    /// whose read-out is that of `wrap`.
+    pub mode: String,
+}
+
+/// Everything the generated files depend on; equal interfaces give equal text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Interface {
+    /// Name of the set, such as `sgi-4k-g2`.
+    pub set: String,
+    /// Version of the model that wrote the vectors.
+    pub model_version: u32,
+    /// Read-out of the depth machine. Where the set has a `dda` pair, `acc` is
+    /// `guard + integer + fraction` bits wide and `out` is `integer` bits wide.
+    pub clamp: ClampParameters,
+    /// The data files, in the order they are described.
+    pub files: Vec<FileLayout>,
+}
+
+/// Names and texts of the generated files, in a fixed order: `pkg.sv`, `pkg.vh`, `pkg.vhd`,
+/// `pkg.h`, `tb.sv`, `dut.sv`, `tb.vhd`, `dut.vhd`.
+///
+/// The benches check the pairs `dda.cfg.tv` with `dda.exp.tv` and `edge.cfg.tv` with
+/// `edge.exp.tv`. A pair that is missing, or lacks one of its fixed columns, is left out; with
+/// neither, a bench reports that there is nothing to check and fails. Names that are a keyword in
+/// any of the target languages take the suffix `_v` in all of them (`in` is `in_v`), since VHDL
+/// allows no trailing underscore.
+pub fn files(interface: &Interface) -> Vec<(String, String)> {
+    let records: Vec<Record> =
+        interface.files.iter().filter(|file| !file.columns.is_empty()).map(Record::new).collect();
+    [
+        ("pkg.sv", systemverilog::package(interface, &records)),
+        ("pkg.vh", verilog::package(interface, &records)),
+        ("pkg.vhd", vhdl::package(interface, &records)),
+        ("pkg.h", c::package(interface, &records)),
+        ("tb.sv", bench::systemverilog(interface, &records)),
+        ("dut.sv", bench::systemverilog_device(interface, &records)),
+        ("tb.vhd", bench::vhdl(interface, &records)),
+        ("dut.vhd", bench::vhdl_device(interface, &records)),
+    ]
+    .map(|(name, text)| (name.to_owned(), text))
+    .to_vec()
+}

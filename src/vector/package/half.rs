@@ -1,0 +1,164 @@
+//! One half of a bench: a device, its two files and their fixed columns.
+
+use super::Interface;
+use super::record::{Field, Record};
+use super::template::fill;
+
+/// A pair of files that one device answers: walks in, a row of state and output a clock out.
+pub(super) struct Half<'a> {
+    /// `dda` or `edge`.
+    pub(super) name: &'static str,
+    device: &'static str,
+    cfg: &'a Record<'a>,
+    /// The file of expectations.
+    pub(super) exp: &'a Record<'a>,
+    inputs: [&'a Field<'a>; 3],
+    /// The column of the device's state.
+    pub(super) state: &'a Field<'a>,
+    output: &'a Field<'a>,
+    /// Widths of the parts of the state from the top down, for reports.
+    parts: Vec<u32>,
+}
+
+/// Names of a half and of its fixed columns: inputs, then state and output.
+type Names = (&'static str, &'static str, [&'static str; 3], [&'static str; 2]);
+
+const DDA: Names = ("dda", "dda", ["init", "dx", "dy"], ["acc", "out"]);
+const EDGE: Names = ("edge", "edge_stepper", ["e0", "ea", "eb"], ["e", "in"]);
+
+/// The half, if the set has both of its files with all of their fixed columns.
+fn half<'a>(records: &'a [Record<'a>], names: Names, parts: &[u32]) -> Option<Half<'a>> {
+    let (name, device, [in0, in1, in2], [state, output]) = names;
+    let find =
+        |kind: &str| records.iter().find(|record| record.file.name == format!("{name}.{kind}.tv"));
+    let (cfg, exp) = (find("cfg")?, find("exp")?);
+    exp.field("op")?;
+    let state = exp.field(state)?;
+    let known = parts.iter().sum::<u32>() == state.column.width;
+    Some(Half {
+        name,
+        device,
+        cfg,
+        exp,
+        inputs: [cfg.field(in0)?, cfg.field(in1)?, cfg.field(in2)?],
+        state,
+        output: exp.field(output)?,
+        parts: if known { parts.to_vec() } else { vec![state.column.width] },
+    })
+}
+
+/// The halves the set has.
+pub(super) fn halves<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Half<'a>> {
+    let clamp = &interface.clamp;
+    let dda = half(records, DDA, &[clamp.guard, clamp.integer, clamp.fraction]);
+    let edge = half(records, EDGE, &[]);
+    dda.into_iter().chain(edge).collect()
+}
+
+impl Half<'_> {
+    /// Highest and lowest bit of each part of the state that is not empty.
+    fn slices(&self) -> Vec<(u32, u32)> {
+        let mut top = self.state.column.width;
+        let parts = self.parts.iter().filter(|&&width| width > 0);
+        parts
+            .map(|width| {
+                top -= width;
+                (top + width - 1, top)
+            })
+            .collect()
+    }
+
+    /// What both languages fill in.
+    pub(super) fn fill(&self, template: &str, more: &[(&str, &str)]) -> String {
+        let state_top = (self.state.column.width - 1).to_string();
+        let output_top = (self.output.column.width - 1).to_string();
+        let [in0, in1, in2] = self.inputs;
+        let text = fill(template, more);
+        fill(
+            &text,
+            &[
+                ("HALF", self.name),
+                ("DEVICE", self.device),
+                ("CFG", &self.cfg.constant()),
+                ("EXP", &self.exp.constant()),
+                ("CFG_ID", &self.cfg.id),
+                ("EXP_ID", &self.exp.id),
+                ("IN0", &in0.id),
+                ("IN1", &in1.id),
+                ("IN2", &in2.id),
+                ("STATE", &self.state.id),
+                ("OUT", &self.output.id),
+                ("STATE_NAME", &self.state.column.name),
+                ("OUT_NAME", &self.output.column.name),
+                ("STATE_TOP", &state_top),
+                ("OUT_TOP", &output_top),
+            ],
+        )
+    }
+
+    /// The module that checks this half.
+    pub(super) fn systemverilog(&self) -> String {
+        let slices = self.slices();
+        let bits = |word: &str| join(&slices, ", ", |(msb, lsb)| format!("{word}[{msb}:{lsb}]"));
+        let state = &self.state.id;
+        self.fill(
+            include_str!("tb.walk.sv.in"),
+            &[
+                ("CFG_FIXED", &text_mask(self.cfg, false)),
+                ("CFG_DIGITS", &text_mask(self.cfg, true)),
+                ("CFG_PACK", &pack(self.cfg, "cfg_file.nibbles")),
+                ("EXP_FIXED", &text_mask(self.exp, false)),
+                ("EXP_DIGITS", &text_mask(self.exp, true)),
+                ("EXP_PACK", &pack(self.exp, "exp_file.nibbles")),
+                ("STATE_FORMAT", &join(&slices, ".", |_| "%b".to_owned())),
+                ("STATE_WANT", &bits(&format!("want.{state}"))),
+                ("STATE_GOT", &bits(state)),
+            ],
+        )
+    }
+
+    /// The entity that checks this half.
+    pub(super) fn vhdl(&self) -> String {
+        let slices = self.slices();
+        let bits = |word: &str| {
+            join(&slices, " & \".\" & ", |(msb, lsb)| {
+                format!("to_string({word}({msb} downto {lsb}))")
+            })
+        };
+        let state = &self.state.id;
+        self.fill(
+            include_str!("tb.walk.vhd.in"),
+            &[
+                ("CFG_SHAPE", self.cfg.shape().trim_end()),
+                ("EXP_SHAPE", self.exp.shape().trim_end()),
+                ("STATE_WANT", &bits(&format!("want.{state}"))),
+                ("STATE_GOT", &bits(state)),
+                // The stepper's inside flag is a single wire.
+                ("OUT_INDEX", if self.name == "edge" { "(0)" } else { "" }),
+            ],
+        )
+    }
+}
+
+fn join<T: Copy>(items: &[T], between: &str, text: impl Fn(T) -> String) -> String {
+    items.iter().map(|&item| text(item)).collect::<Vec<_>>().join(between)
+}
+
+/// A constant of one byte a character: the separators' own codes, or 01 for each digit.
+fn text_mask(record: &Record, digits: bool) -> String {
+    let byte = |c: char| {
+        if (c == '0') == digits { if digits { 1 } else { u32::from(c) } } else { 0 }
+    };
+    let bytes: Vec<String> = record.shape().chars().map(|c| format!("{:02x}", byte(c))).collect();
+    format!("{}'h{}", 8 * record.line, bytes.concat())
+}
+
+/// The nibbles of a decoded line, separators left out.
+fn pack(record: &Record, nibbles: &str) -> String {
+    let places = record.shape().chars().rev().collect::<Vec<_>>();
+    let digits = (0..places.len()).rev().filter(|&place| places[place] == '0');
+    let parts: Vec<String> =
+        digits.map(|place| format!("{nibbles}[{}:{}]", 8 * place + 3, 8 * place)).collect();
+    let lines: Vec<String> = parts.chunks(4).map(|chunk| chunk.join(", ")).collect();
+    format!("{{\n                    {}}}", lines.join(",\n                    "))
+}

@@ -1,0 +1,56 @@
+//! Filling in templates.
+
+use super::Interface;
+
+/// The template with each `@KEY@` replaced by its value. Values are not searched again for keys
+/// that come before them in the list.
+pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
+    values
+        .iter()
+        .fold(template.to_owned(), |text, (key, value)| text.replace(&format!("@{key}@"), value))
+}
+
+/// Text for a comment in any target language: printable ASCII on one line that neither opens nor
+/// closes a block comment.
+pub(super) fn comment(text: &str) -> String {
+    let plain: String = text
+        .trim()
+        .chars()
+        .map(|c| if c.is_control() { ' ' } else { c })
+        .map(|c| if c.is_ascii() { c } else { '?' })
+        .collect();
+    plain.replace("*/", "* /").replace("/*", "/ *").replace(['"', '`', '\\', '@'], "'")
+}
+
+/// Fills in the set's name and the model's version.
+pub(super) fn head(interface: &Interface, text: &str) -> String {
+    let version = interface.model_version.to_string();
+    fill(text, &[("SET", &comment(&interface.set)), ("VERSION", &version)])
+}
+
+/// Fills in a package: what describes each file, and everything about the set itself.
+pub(super) fn package(interface: &Interface, template: &str, files: &[String]) -> String {
+    let clamp = &interface.clamp;
+    let text = fill(
+        template,
+        &[
+            ("GUARD", &clamp.guard.to_string()),
+            ("INTEGER", &clamp.integer.to_string()),
+            ("FRACTION", &clamp.fraction.to_string()),
+            ("MODE", mode(&clamp.mode)),
+            ("FILES", &files.join("\n")),
+        ],
+    );
+    head(interface, &text)
+}
+
+/// The read-out's name as the packages spell it.
+fn mode(name: &str) -> &'static str {
+    match name {
+        "wrap" => "WRAP",
+        "guard" => "GUARD",
+        "sign" => "SIGN",
+        "saturate" => "SATURATE",
+        _ => "ERROR",
+    }
+}

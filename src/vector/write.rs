@@ -1,0 +1,423 @@
+//! Writing sets: built aside, streamed, renamed when whole. Spec clauses `N-6` to `N-11`.
+
+use super::bench::{Bench, Source};
+use super::emit::{Emitted, Output, emit, files};
+use super::manifest::{
+    self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, hex_digest,
+    sha256,
+};
+use super::package::{self, ClampParameters, FileLayout, Interface};
+use super::plan::Shard;
+use super::table::RowFormat;
+use crate::format::Clamp;
+use crate::model::MODEL_VERSION;
+use crate::profile::{Form, Profile};
+use crate::scene::lines;
+use crate::setup::Triangle;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::fs::File;
+use std::io::{Error, ErrorKind, Result, Write};
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
+
+/// File name of the index of a folder of sets.
+pub const INDEX: &str = "sets.json";
+
+/// One set to write.
+#[derive(Clone, Debug)]
+pub struct SetRequest {
+    /// Its folder's name.
+    pub name: String,
+    /// The profile.
+    pub profile: Profile,
+    /// Name of the scene.
+    pub scene_name: String,
+    /// Triangles on the profile's grid.
+    pub scene: Arc<Vec<Triangle>>,
+    /// Triangles that did not make it there.
+    pub refused: u64,
+}
+
+/// How sets are written.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Rows in each walk file.
+    pub count: u64,
+    /// Seed of the random classes.
+    pub seed: u64,
+    /// Which part.
+    pub shard: Shard,
+    /// Row format.
+    pub format: RowFormat,
+    /// Compress vector files with zstd.
+    pub zstd: bool,
+    /// Worker threads.
+    pub threads: usize,
+    /// Replace what is there.
+    pub force: bool,
+}
+
+/// What long work reports and obeys.
+#[derive(Debug, Default)]
+pub struct Monitor {
+    /// Bytes handled so far.
+    pub bytes: AtomicU64,
+    /// Set to stop at the next buffer.
+    pub cancel: AtomicBool,
+}
+
+/// The index of a folder of sets.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SetIndex {
+    /// Schema version.
+    pub schema: u32,
+    /// The sets, by folder.
+    pub sets: Vec<SetEntry>,
+    /// SHA-256 of this file with an empty digest.
+    pub digest: String,
+}
+
+/// One set of a folder.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct SetEntry {
+    /// Folder.
+    pub folder: String,
+    /// Digest of its manifest.
+    pub digest: String,
+}
+
+impl SetIndex {
+    /// The canonical text, digest filled in.
+    pub fn to_text(&self) -> String {
+        let text = |digest: String| {
+            let index = Self { digest, ..self.clone() };
+            serde_json::to_string_pretty(&index).unwrap_or_default() + "\n"
+        };
+        text(sha256(text(String::new()).as_bytes()))
+    }
+}
+
+/// Writes one set into `out` itself, or several, each a folder below it with an index beside them.
+///
+/// # Errors
+/// Whatever the file system answers; `AlreadyExists` when `out` is there and `force` is not;
+/// `Interrupted` when the monitor cancelled. Nothing is left behind in either case.
+pub fn write(
+    requests: &[SetRequest],
+    out: &Path,
+    nested: bool,
+    options: &Options,
+    monitor: &Monitor,
+) -> Result<Vec<Manifest>> {
+    if !options.force && is_occupied(out) {
+        return Err(Error::from(ErrorKind::AlreadyExists));
+    }
+    let aside = aside(out);
+    let result = build(requests, &aside, nested, options, monitor).and_then(|manifests| {
+        if options.force && out.exists() {
+            std::fs::remove_dir_all(out)?;
+        }
+        // An empty folder in the way is as good as none.
+        let _ = std::fs::remove_dir(out);
+        std::fs::rename(&aside, out)?;
+        Ok(manifests)
+    });
+    if result.is_err() {
+        let _ = std::fs::remove_dir_all(&aside);
+    }
+    result
+}
+
+/// Whether a folder (or anything else) is in the way; an empty folder is not.
+fn is_occupied(out: &Path) -> bool {
+    match std::fs::read_dir(out) {
+        Ok(mut entries) => entries.next().is_some(),
+        Err(error) => error.kind() != ErrorKind::NotFound,
+    }
+}
+
+/// A sibling of `out` to build in, so that the rename stays on one file system.
+fn aside(out: &Path) -> PathBuf {
+    let name = out.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    out.with_file_name(format!(".{name}.partial-{}", std::process::id()))
+}
+
+/// What one bench of one set became.
+type Part = (Vec<FileEntry>, Emitted);
+
+fn build(
+    requests: &[SetRequest],
+    aside: &Path,
+    nested: bool,
+    options: &Options,
+    monitor: &Monitor,
+) -> Result<Vec<Manifest>> {
+    let folders: Vec<PathBuf> = requests
+        .iter()
+        .map(|request| if nested { aside.join(&request.name) } else { aside.to_owned() })
+        .collect();
+    for folder in &folders {
+        std::fs::create_dir_all(folder)?;
+    }
+    let benches: Vec<Vec<Box<dyn Bench>>> =
+        requests.iter().map(|request| source(request, options).benches()).collect();
+    // Long streams first; each is one job, so the bytes do not depend on the number of threads.
+    let longest = benches.iter().map(Vec::len).max().unwrap_or(0);
+    let jobs: Vec<(usize, usize)> = (0..longest)
+        .flat_map(|bench| (0..benches.len()).map(move |set| (set, bench)))
+        .filter(|&(set, bench)| bench < benches[set].len())
+        .collect();
+    let next = AtomicUsize::new(0);
+    let parts: Vec<Mutex<Option<Result<Part>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
+    std::thread::scope(|scope| {
+        for _ in 0..options.threads.clamp(1, jobs.len().max(1)) {
+            scope.spawn(|| {
+                while let Some(&(set, bench)) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
+                    let part = write_bench(&*benches[set][bench], &folders[set], options, monitor);
+                    let slot = jobs.iter().position(|job| *job == (set, bench));
+                    if let Some(mut slot) = slot.and_then(|slot| parts[slot].lock().ok()) {
+                        *slot = Some(part);
+                    }
+                }
+            });
+        }
+    });
+    let mut by_set: Vec<Vec<Option<Part>>> =
+        benches.iter().map(|list| list.iter().map(|_| None).collect()).collect();
+    for (&(set, bench), part) in jobs.iter().zip(parts) {
+        let part = part.into_inner().ok().flatten();
+        by_set[set][bench] = Some(part.unwrap_or_else(|| Err(Error::other("a worker failed")))?);
+    }
+    let mut manifests = Vec::new();
+    for (((request, folder), list), parts) in
+        requests.iter().zip(&folders).zip(&benches).zip(by_set)
+    {
+        let parts = parts.into_iter().flatten().collect();
+        manifests.push(finish(request, folder, list, parts, options)?);
+    }
+    if nested {
+        let sets = manifests
+            .iter()
+            .map(|made| SetEntry { folder: made.set.clone(), digest: made.digest.clone() })
+            .collect();
+        let index = SetIndex { schema: manifest::SCHEMA, sets, digest: String::new() };
+        std::fs::write(aside.join(INDEX), index.to_text())?;
+    }
+    Ok(manifests)
+}
+
+/// What the benches of a request are made from.
+fn source(request: &SetRequest, options: &Options) -> Source {
+    Source {
+        profile: request.profile.clone(),
+        scene: Arc::clone(&request.scene),
+        seed: options.seed,
+        count: options.count,
+    }
+}
+
+/// Name of a vector file.
+pub fn file_name(stem: &str, format: RowFormat, zstd: bool) -> String {
+    format!("{stem}.{}{}", format.extension(), if zstd { ".zst" } else { "" })
+}
+
+fn write_bench(
+    bench: &dyn Bench,
+    folder: &Path,
+    options: &Options,
+    monitor: &Monitor,
+) -> Result<Part> {
+    let specs = files(bench, options.format);
+    let names: Vec<String> =
+        specs.iter().map(|spec| file_name(&spec.stem, options.format, options.zstd)).collect();
+    let mut output = FileOutput { monitor, zstd: options.zstd, files: Vec::new() };
+    for name in &names {
+        let file = File::create_new(folder.join(name))?;
+        output.files.push((file, Sha256::new(), 0));
+    }
+    let emitted = emit(bench, options.shard, options.count, options.format, &mut output)?;
+    let entries = specs
+        .into_iter()
+        .zip(names)
+        .zip(output.files)
+        .zip(&emitted.rows)
+        .map(|(((spec, name), (_, hash, bytes)), &rows)| FileEntry {
+            name,
+            rows,
+            bytes,
+            sha256: hex_digest(hash),
+            columns: spec.columns,
+        })
+        .collect();
+    Ok((entries, emitted))
+}
+
+/// Hashes and writes, and stops when cancelled.
+struct FileOutput<'a> {
+    monitor: &'a Monitor,
+    zstd: bool,
+    files: Vec<(File, Sha256, u64)>,
+}
+
+impl Output for FileOutput<'_> {
+    fn bytes(&mut self, file: usize, bytes: &[u8]) -> Result<bool> {
+        if self.monitor.cancel.load(Ordering::Relaxed) {
+            return Err(Error::from(ErrorKind::Interrupted));
+        }
+        self.monitor.bytes.fetch_add(bytes.len() as u64, Ordering::Relaxed);
+        let compressed;
+        let bytes = if self.zstd {
+            compressed = compress(bytes);
+            &compressed
+        } else {
+            bytes
+        };
+        let (file, hash, length) = &mut self.files[file];
+        hash.update(bytes);
+        *length += bytes.len() as u64;
+        file.write_all(bytes)?;
+        Ok(true)
+    }
+}
+
+/// One zstd frame; frames one after another are a valid stream.
+fn compress(bytes: &[u8]) -> Vec<u8> {
+    ruzstd::encoding::compress_to_vec(bytes, ruzstd::encoding::CompressionLevel::Fastest)
+}
+
+/// The scene file: triangles on the profile's grid, in `eval`'s form.
+pub fn scene_text(scene: &[Triangle]) -> String {
+    let mut text = String::new();
+    for (id, triangle) in scene.iter().enumerate() {
+        let lattice = crate::scene::Triangle::Lattice { xy: triangle.xy, z: triangle.z };
+        text.push_str(&lines::to_line(id as u64, &lattice));
+        text.push('\n');
+    }
+    text
+}
+
+/// The files of a set that are not vectors, in order.
+pub fn companions(
+    set: &str,
+    profile: &Profile,
+    scene: &[Triangle],
+    vector_files: &[FileEntry],
+    format: RowFormat,
+    zstd: bool,
+) -> Vec<(String, String)> {
+    let mut list = vec![
+        ("profile.toml".to_owned(), profile.to_toml()),
+        ("scene.jsonl".to_owned(), scene_text(scene)),
+    ];
+    // The benches read the golden form only.
+    if format == RowFormat::Tv && !zstd {
+        list.extend(package::files(&interface(set, profile, vector_files)));
+    }
+    list
+}
+
+fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
+    let clamp = match (profile.depth, profile.form) {
+        (Some(depth), _) => ClampParameters {
+            guard: depth.guard,
+            integer: depth.integer,
+            fraction: depth.interpolation,
+            // A device has no way to refuse: outside the guard range it decodes as the guard does.
+            mode: if depth.clamp == Clamp::Error { Clamp::Guard } else { depth.clamp }
+                .name()
+                .to_owned(),
+        },
+        (None, Form::EdgeFunction(_) | Form::EdgeWalk(_)) => ClampParameters {
+            guard: 0,
+            integer: 1,
+            fraction: 0,
+            mode: Clamp::Wrap.name().to_owned(),
+        },
+    };
+    let files = files
+        .iter()
+        .map(|file| FileLayout {
+            name: file.name.clone(),
+            rows: file.rows,
+            columns: file.columns.clone(),
+        })
+        .collect();
+    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, files }
+}
+
+fn finish(
+    request: &SetRequest,
+    folder: &Path,
+    benches: &[Box<dyn Bench>],
+    parts: Vec<Part>,
+    options: &Options,
+) -> Result<Manifest> {
+    let (mut entries, mut groups, mut coverage) = (Vec::new(), Vec::new(), Vec::new());
+    for (bench, (files, emitted)) in benches.iter().zip(parts) {
+        entries.extend(files);
+        let counted =
+            bench.groups().iter().zip(&emitted.groups).filter(|(_, (tests, _))| *tests > 0);
+        groups.extend(counted.map(|(group, &(tests, rows))| GroupEntry {
+            bench: bench.name().to_owned(),
+            tag: group.class.tag.to_owned(),
+            catches: group.class.catches.to_owned(),
+            tests,
+            rows,
+        }));
+        let (cells, holes) = emitted.coverage.report();
+        coverage.push(CoverageEntry { bench: bench.name().to_owned(), cells, holes });
+    }
+    let companions = companions(
+        &request.name,
+        &request.profile,
+        &request.scene,
+        &entries,
+        options.format,
+        options.zstd,
+    );
+    let mut scene_digest = String::new();
+    for (name, text) in companions {
+        let entry = FileEntry {
+            rows: text.lines().count() as u64,
+            bytes: text.len() as u64,
+            sha256: sha256(text.as_bytes()),
+            columns: Vec::new(),
+            name,
+        };
+        if entry.name == "scene.jsonl" {
+            scene_digest.clone_from(&entry.sha256);
+        }
+        std::fs::write(folder.join(&entry.name), text)?;
+        entries.push(entry);
+    }
+    let manifest = Manifest {
+        schema: manifest::SCHEMA,
+        model_version: MODEL_VERSION,
+        set: request.name.clone(),
+        profile: request.profile.clone(),
+        scene: SceneEntry {
+            name: request.scene_name.clone(),
+            triangles: request.scene.len() as u64,
+            refused: request.refused,
+            sha256: scene_digest,
+        },
+        seed: options.seed,
+        count: options.count,
+        format: file_name("", options.format, options.zstd).trim_start_matches('.').to_owned(),
+        shard: ShardEntry { index: options.shard.index, parts: options.shard.parts },
+        files: entries,
+        groups,
+        coverage,
+        digest: String::new(),
+    };
+    let text = manifest.to_text();
+    // Written last: a folder without it is an unfinished set.
+    let mut file = File::create_new(folder.join(manifest::NAME))?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()?;
+    serde_json::from_str(&text).map_err(Error::other)
+}
