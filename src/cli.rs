@@ -9,6 +9,7 @@ mod progress;
 mod sets;
 mod speed;
 mod vectors;
+mod verify;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -31,6 +32,7 @@ enum Command {
     Profile(profile::Arguments),
     Speed(speed::Arguments),
     Vectors(vectors::Arguments),
+    Verify(verify::Arguments),
 }
 
 /// What a command found when it ran to its end.
@@ -59,6 +61,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),
         Command::Vectors(arguments) => vectors::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,
