@@ -13,15 +13,13 @@ use std::path::Path;
 pub(super) struct Expected {
     tables: Vec<Table>,
     file: usize,
-    digits: Vec<usize>,
 }
 
 impl Expected {
     pub(super) fn new(subject: &Subject) -> Self {
         let files = subject.bench.files();
         let tables = files.iter().map(|spec| Table::new(RowFormat::Tv, &spec.columns)).collect();
-        let digits = subject.spec.columns.iter().map(crate::format::Column::digits).collect();
-        Self { tables, file: subject.file, digits }
+        Self { tables, file: subject.file }
     }
 
     /// Rows of words.
@@ -30,23 +28,7 @@ impl Expected {
             table.buffer.clear();
         }
         bench.emit(at, limit, &mut self.tables, &mut Coverage::default());
-        let width = self.digits.iter().sum::<usize>() + self.digits.len();
-        self.tables[self.file].buffer.chunks(width).map(|row| self.words(row)).collect()
-    }
-
-    fn words(&self, row: &[u8]) -> Vec<u128> {
-        let mut at = 0;
-        self.digits
-            .iter()
-            .map(|digits| {
-                let field = &row[at..at + digits];
-                at += digits + 1;
-                field.iter().fold(0, |word, digit| {
-                    let digit = char::from(*digit).to_digit(16).unwrap_or(0);
-                    word << 4 | u128::from(digit)
-                })
-            })
-            .collect()
+        self.tables[self.file].take_words()
     }
 }
 
