@@ -1,6 +1,7 @@
 //! Arguments, exit statuses and the one place where errors become text.
 
 mod budget;
+mod diff;
 mod eval;
 mod failure;
 mod output;
@@ -8,7 +9,10 @@ mod profile;
 mod progress;
 mod sets;
 mod speed;
+mod trace;
 mod vectors;
+mod verify;
+mod wave;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -27,10 +31,13 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Budget(budget::Arguments),
+    Diff(diff::Arguments),
     Eval(eval::Arguments),
     Profile(profile::Arguments),
     Speed(speed::Arguments),
+    Trace(trace::Arguments),
     Vectors(vectors::Arguments),
+    Verify(verify::Arguments),
 }
 
 /// What a command found when it ran to its end.
@@ -55,10 +62,13 @@ pub(crate) fn run() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Budget(arguments) => budget::run(&arguments),
+        Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments),
         Command::Vectors(arguments) => vectors::run(&arguments),
+        Command::Verify(arguments) => verify::run(&arguments),
     };
     match result {
         Ok(Outcome::Good) => ExitCode::SUCCESS,

@@ -57,6 +57,13 @@ pub trait Bench: Send + Sync {
         None
     }
 
+    /// The stimulus of a test in words, for a person.
+    fn describe(&self, at: TestAt) -> String;
+
+    /// How to take apart the words of a column: name and bits of its fields, most significant
+    /// first; empty for a plain number.
+    fn fields(&self, column: &str) -> Vec<(&'static str, u32)>;
+
     /// Devices that differ from the profile in one decision, and that decision in words: the same
     /// stimulus, other expectations.
     fn variants(&self) -> Vec<(String, Box<dyn Bench>)>;

@@ -1,1 +1,147 @@
-//! x
+//! A device's dump against a set: every mismatch decoded, and the one change of the profile that
+//! explains them all, if there is one. Spec clauses `N-12` to `N-14`.
+
+mod compare;
+mod explain;
+mod read;
+
+pub use read::{DumpError, DumpRow, RowReader};
+
+use super::bench::{Bench, FileSpec, TestAt, locate, tests};
+use super::check::{CheckError, OpenSet, read_scene, source};
+use super::plan::Shard;
+use std::path::Path;
+
+/// Why a dump cannot be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum CompareError {
+    /// The set.
+    #[error(transparent)]
+    Set(#[from] CheckError),
+    /// The dump.
+    #[error(transparent)]
+    Dump(#[from] DumpError),
+    /// Which file of the set it answers.
+    #[error("{name}: no expectation file of the set has this name; say which with --file: {known}")]
+    Unknown {
+        /// The name that was tried.
+        name: String,
+        /// The files there are.
+        known: String,
+    },
+    /// Only the golden form can be compared.
+    #[error("the set is written as {0}; a dump is compared with a set in the form tv")]
+    Format(String),
+}
+
+/// One disagreement.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mismatch {
+    /// Row in the expectation file, from 1; `None` for a row that is too much.
+    pub row: Option<u64>,
+    /// Line in the dump; `None` for a row that is missing.
+    pub line: Option<u64>,
+    /// Test id.
+    pub test: String,
+    /// What disagrees, in a few lines.
+    pub text: String,
+}
+
+/// What a comparison found.
+#[derive(Clone, Debug, Default)]
+pub struct DumpReport {
+    /// The expectation file compared with.
+    pub file: String,
+    /// Rows of the dump.
+    pub rows: u64,
+    /// Rows the set expects.
+    pub expected_rows: u64,
+    /// The first mismatches.
+    pub mismatches: Vec<Mismatch>,
+    /// How many there are in all.
+    pub total: u64,
+    /// Single changes that make the whole dump agree.
+    pub causes: Vec<String>,
+    /// How many single changes were tried.
+    pub tried: usize,
+    /// Whether the dump ends before the set does.
+    pub short: bool,
+}
+
+/// One expectation file of a set and the bench behind it.
+struct Subject {
+    bench: Box<dyn Bench>,
+    /// Which of the bench's files.
+    file: usize,
+    spec: FileSpec,
+    shard: Shard,
+    count: u64,
+}
+
+impl Subject {
+    /// Test numbers, in file order, with the rows each may give.
+    fn tests(&self) -> impl Iterator<Item = (TestAt, u64)> {
+        super::plan::walk_tests(&*self.bench, self.shard, self.count)
+    }
+
+    /// The test that a keyed row names.
+    fn test(&self, number: u64) -> Option<TestAt> {
+        (number < tests(self.bench.groups())).then(|| locate(self.bench.groups(), number)).flatten()
+    }
+
+    /// Leading columns that say where a row belongs; 0 when only the order says it.
+    fn key(&self) -> usize {
+        match self.spec.stem.as_str() {
+            "span.exp" => 4,
+            "depth.exp" => 3,
+            "triangle.exp" => 1,
+            _ => 0,
+        }
+    }
+}
+
+/// Compares a dump with the file of the set that it answers.
+///
+/// `file` names it where the dump's own name does not; `most` bounds the mismatches kept.
+///
+/// # Errors
+/// [`CompareError`] if the set or the dump cannot be read as one.
+pub fn compare(
+    set: &OpenSet,
+    dump: &Path,
+    file: Option<&str>,
+    most: usize,
+) -> Result<DumpReport, CompareError> {
+    let subject = subject(set, dump, file)?;
+    let mut report = compare::against(&subject, dump, most)?;
+    report.file = format!("{}.tv", subject.spec.stem);
+    if report.total > 0 {
+        (report.causes, report.tried) = explain::causes(&subject, dump, report.short)?;
+    }
+    Ok(report)
+}
+
+fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, CompareError> {
+    let (format, zstd) = super::check::format(&set.manifest);
+    if format != super::table::RowFormat::Tv || zstd {
+        return Err(CompareError::Format(set.manifest.format.clone()));
+    }
+    let source = source(set, read_scene(set)?);
+    let own_name = dump.file_name().map(|name| name.to_string_lossy().into_owned());
+    let wanted = file.map(str::to_owned).or(own_name).unwrap_or_default();
+    let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
+    let mut known = Vec::new();
+    for bench in source.benches() {
+        let specs = bench.files().to_vec();
+        for (file, spec) in specs.into_iter().enumerate() {
+            if !spec.stem.contains(".exp") {
+                continue;
+            }
+            if wanted.starts_with(&spec.stem) {
+                return Ok(Subject { bench, file, spec, shard, count: source.count });
+            }
+            known.push(spec.stem);
+        }
+    }
+    Err(CompareError::Unknown { name: wanted, known: known.join(", ") })
+}

@@ -1,6 +1,6 @@
 //! Drives a bench into an output, a buffer at a time: memory does not grow with the rows.
 
-use super::bench::{Bench, Coverage, FileSpec};
+use super::bench::{Bench, Coverage, FileSpec, TestAt};
 use super::plan::{Shard, walk_tests};
 use super::table::{RowFormat, Table};
 
@@ -83,4 +83,13 @@ fn flush(tables: &mut [Table], least: usize, output: &mut dyn Output) -> std::io
         }
     }
     Ok(true)
+}
+
+/// The rows of one test, file by file, as words.
+pub fn test_rows(bench: &dyn Bench, at: TestAt) -> Vec<(FileSpec, Vec<Vec<u128>>)> {
+    let specs = bench.files().to_vec();
+    let mut tables: Vec<Table> =
+        specs.iter().map(|spec| Table::new(RowFormat::Tv, &spec.columns)).collect();
+    bench.emit(at, u64::MAX, &mut tables, &mut Coverage::default());
+    specs.into_iter().zip(tables.iter_mut().map(Table::take_words)).collect()
 }

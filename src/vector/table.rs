@@ -100,6 +100,29 @@ impl Table {
         }
     }
 
+    /// The buffered rows of the golden form as words, and an empty buffer.
+    pub fn take_words(&mut self) -> Vec<Vec<u128>> {
+        let width = self.digits.iter().map(|digits| digits + 1).sum::<usize>().max(1);
+        let rows = self.buffer.chunks_exact(width).map(|row| self.words(row)).collect();
+        self.buffer.clear();
+        rows
+    }
+
+    fn words(&self, row: &[u8]) -> Vec<u128> {
+        let mut rest = row;
+        self.digits
+            .iter()
+            .map(|digits| {
+                let (field, later) = rest.split_at(*digits);
+                rest = &later[1..];
+                field.iter().fold(0, |word, digit| {
+                    let digit = char::from(*digit).to_digit(16).unwrap_or(0);
+                    word << 4 | u128::from(digit)
+                })
+            })
+            .collect()
+    }
+
     fn push_other(&mut self, words: &[i128]) {
         let mut text = String::new();
         for (n, word) in words.iter().enumerate() {

@@ -285,7 +285,7 @@ impl Output for FileOutput<'_> {
 }
 
 /// One zstd frame; frames one after another are a valid stream.
-fn compress(bytes: &[u8]) -> Vec<u8> {
+pub(super) fn compress(bytes: &[u8]) -> Vec<u8> {
     ruzstd::encoding::compress_to_vec(bytes, ruzstd::encoding::CompressionLevel::Fastest)
 }
 

@@ -11,6 +11,7 @@ use crate::model::{Drawing, Model, Span, View};
 use crate::profile::neighbours;
 use crate::setup::{Gradient, Triangle};
 use crate::vector::table::Table;
+use std::fmt::Write as _;
 use std::sync::Arc;
 
 /// Walk rows per random or scene test of the set-up bench.
@@ -352,6 +353,30 @@ impl Bench for TriangleBench {
         let [cfg, exp] = &self.files[..] else { return None };
         let columns = cfg.columns.iter().chain(&exp.columns).cloned().collect();
         Some(FileSpec { stem: self.name().to_owned(), columns })
+    }
+
+    fn describe(&self, at: TestAt) -> String {
+        let Triangle { xy, z } = self.triangle_at(at);
+        let mut text = "triangle".to_owned();
+        for (n, [x, y]) in xy.iter().enumerate() {
+            let z = z.map(|z| format!(", {}", z[n])).unwrap_or_default();
+            let _ = write!(text, " ({x}, {y}{z})");
+        }
+        text + " in sub-pixels and depth codes"
+    }
+
+    fn fields(&self, column: &str) -> Vec<(&'static str, u32)> {
+        match (column, self.model.depth()) {
+            ("z" | "dzdx" | "dzdy", Some(depth)) if !self.draws => {
+                let read = depth.read_out();
+                vec![
+                    ("guard", read.guard()),
+                    ("integer", read.integer()),
+                    ("fraction", read.fraction()),
+                ]
+            }
+            _ => Vec::new(),
+        }
     }
 
     fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {

@@ -411,6 +411,26 @@ impl Bench for WalkBench {
         Some(FileSpec { stem: self.name().to_owned(), columns })
     }
 
+    fn describe(&self, at: TestAt) -> String {
+        let walk = self.walk(at);
+        let word = |value: i128| {
+            let bits = value.cast_unsigned() & (u128::MAX >> (128 - self.width));
+            crate::bits::hex(bits, self.width)
+        };
+        let [start, dx, dy] = [walk.init, walk.dx, walk.dy].map(word);
+        format!("a walk from {start} by dx {dx}, dy {dy}")
+    }
+
+    fn fields(&self, column: &str) -> Vec<(&'static str, u32)> {
+        let (guard, integer, fraction) =
+            (self.read.guard(), self.read.integer(), self.read.fraction());
+        if column == "acc" {
+            vec![("guard", guard), ("integer", integer), ("fraction", fraction)]
+        } else {
+            Vec::new()
+        }
+    }
+
     fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {
         let mut list: Vec<(String, Box<dyn Bench>)> = Vec::new();
         for neighbour in neighbours(&self.profile) {

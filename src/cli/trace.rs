@@ -1,0 +1,99 @@
+//! `guardbit trace`: one test, row by row, bit by bit.
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::Output;
+use super::{sets, wave};
+use guardbit::format::Column;
+use guardbit::profile;
+use guardbit::vector::bench::{Bench, Source};
+use guardbit::vector::emit;
+use guardbit::vector::plan::{find_test, test_id};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// One walk or triangle, step by step, bit by bit: text, and VCD or FST for a wave viewer.
+///
+/// Signals carry the names of the vector columns, so a device's dump lines up beside them.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// A built-in name or a TOML file.
+    #[arg(default_value = "sgi-4k")]
+    profile: String,
+    /// Which test, as vectors --only takes it.
+    #[arg(long, value_name = "ID", default_value = "dda/guard-boundary/0")]
+    test: String,
+    /// The scene behind scene tests.
+    #[arg(long, default_value = "knot")]
+    scene: String,
+    /// Rows of each walk file of the set that the test belongs to.
+    #[arg(long, value_name = "N", default_value_t = 100_000)]
+    count: u64,
+    /// Seed of the random classes.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write a Value Change Dump.
+    #[arg(long, value_name = "FILE")]
+    vcd: Option<PathBuf>,
+    /// Write an FST wave file.
+    #[arg(long, value_name = "FILE")]
+    fst: Option<PathBuf>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let profile = profile::load(&arguments.profile)?;
+    let scene = sets::snap_scene(&profile, &arguments.scene)?.triangles;
+    let (seed, count) = (arguments.seed, arguments.count);
+    let source = Source { profile, scene: Arc::new(scene), seed, count };
+    let benches = source.benches();
+    let found =
+        benches.iter().find_map(|bench| Some((bench, find_test(&**bench, &arguments.test)?)));
+    let Some((bench, at)) = found else {
+        let hint = "guardbit vectors --only ? lists the classes";
+        return Err(Failure::input(format!("no test {:?}", arguments.test)).hint(hint));
+    };
+    let files = emit::test_rows(&**bench, at);
+    let mut output = Output::new();
+    output.line(format!("{}: {}", test_id(&**bench, at), bench.describe(at)))?;
+    for (spec, rows) in &files {
+        output.line("")?;
+        output.line(format!("{} ({} rows)", spec.stem, rows.len()))?;
+        for (n, row) in rows.iter().enumerate() {
+            let words: Vec<String> = spec
+                .columns
+                .iter()
+                .zip(row)
+                .map(|(column, word)| word_text(&**bench, column, *word))
+                .collect();
+            output.line(format!("{n:>4}  {}", words.join("  ")))?;
+        }
+    }
+    output.flush()?;
+    let name = bench.name();
+    if let Some(path) = &arguments.vcd {
+        wave::vcd(path, name, &files).map_err(|e| Failure::io(&path.display().to_string(), &e))?;
+    }
+    if let Some(path) = &arguments.fst {
+        wave::fst(path, name, &files).map_err(|e| Failure::io(&path.display().to_string(), &e))?;
+    }
+    Ok(Outcome::Good)
+}
+
+/// A word by name, in binary fields where it has some, and as a value.
+fn word_text(bench: &dyn Bench, column: &Column, word: u128) -> String {
+    let unused = 128 - column.width;
+    let value = word.cast_signed() << unused >> if column.signed { unused } else { 0 };
+    let value = if column.signed { value.to_string() } else { word.to_string() };
+    let fields = bench.fields(&column.name);
+    if fields.is_empty() {
+        return format!("{}={value}", column.name);
+    }
+    let mut left = column.width;
+    let mut parts = Vec::new();
+    for (_, bits) in fields.iter().filter(|(_, bits)| *bits > 0) {
+        left = left.saturating_sub(*bits);
+        let field = word >> left & (u128::MAX >> (128 - bits));
+        parts.push(format!("{field:0width$b}", width = *bits as usize));
+    }
+    format!("{}={}", column.name, parts.join("."))
+}

@@ -1,0 +1,137 @@
+//! `guardbit verify`: a set against itself, or a device's dump against a set.
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::Output;
+use super::progress;
+use guardbit::profile;
+use guardbit::vector::check::{self, CheckError, CheckOptions, OpenSet};
+use guardbit::vector::dump::{self, CompareError, DumpError};
+use std::path::{Path, PathBuf};
+
+/// Check a set against itself, or a device's dump against the set.
+///
+/// Exit status 1 when anything is not as it was made, or the dump disagrees.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The folder of a set, or of several.
+    #[arg(default_value = "guardbit-vectors")]
+    dir: PathBuf,
+    /// What a device answered, in the form of an exp file.
+    #[arg(long, value_name = "FILE")]
+    dut: Option<PathBuf>,
+    /// Which exp file FILE answers, where its name does not say.
+    #[arg(long, value_name = "NAME", requires = "dut")]
+    file: Option<String>,
+    /// Derive every expectation again from profile, scene and seed.
+    #[arg(long)]
+    recompute: bool,
+    /// The profile you believe the set is of.
+    #[arg(long, value_name = "PROFILE")]
+    profile: Option<String>,
+    /// Stop printing mismatches after N.
+    #[arg(long, value_name = "N", default_value_t = 20)]
+    errors: usize,
+    /// Worker threads.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let believed = arguments.profile.as_deref().map(profile::load).transpose()?;
+    let monitor = progress::monitor();
+    let options = CheckOptions {
+        recompute: arguments.recompute,
+        profile: believed.as_ref(),
+        threads: super::vectors::threads(arguments.threads),
+    };
+    let report =
+        progress::watch("checking", &monitor, || check::check(&arguments.dir, options, &monitor))
+            .map_err(check_failure)?;
+    let mut output = Output::new();
+    for finding in report.findings.iter().take(arguments.errors) {
+        output.line(finding.to_string())?;
+    }
+    if !report.findings.is_empty() {
+        output.line(format!("FAIL: {} findings", report.findings.len()))?;
+        output.flush()?;
+        return Ok(Outcome::Mismatch);
+    }
+    if let Some(dut) = &arguments.dut {
+        return compare(&report.sets, dut, arguments, &mut output);
+    }
+    for set in &report.sets {
+        let folder = set.folder.display();
+        let manifest = &set.manifest;
+        output.line(format!("{folder}: {} files as made", manifest.files.len() + 1))?;
+    }
+    let how = if arguments.recompute { "recomputed and found" } else { "found" };
+    output.line(format!("PASS: {} rows {how} as made", report.rows))?;
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+fn compare(
+    sets: &[OpenSet],
+    dut: &Path,
+    arguments: &Arguments,
+    output: &mut Output,
+) -> Result<Outcome, Failure> {
+    let [set] = sets else {
+        let names: Vec<String> = sets.iter().map(|set| set.folder.display().to_string()).collect();
+        let message = format!("{} holds {} sets", arguments.dir.display(), sets.len());
+        let hint = format!("name the one that the dump answers: {}", names.join(", "));
+        return Err(Failure::input(message).hint(&hint));
+    };
+    let report = dump::compare(set, dut, arguments.file.as_deref(), arguments.errors.max(1))
+        .map_err(compare_failure)?;
+    if report.total == 0 {
+        output.line(format!("PASS: {} rows of {} agree", report.rows, report.file))?;
+        output.flush()?;
+        return Ok(Outcome::Good);
+    }
+    for mismatch in report.mismatches.iter().take(arguments.errors) {
+        let row = mismatch.row.map(|row| format!("{}:{row} ", report.file)).unwrap_or_default();
+        let line =
+            mismatch.line.map(|line| format!("{}:{line} ", dut.display())).unwrap_or_default();
+        output.line(format!("{line}{row}{}", mismatch.test))?;
+        for text in mismatch.text.lines() {
+            output.line(format!("  {text}"))?;
+        }
+    }
+    let (rows, expected) = (report.rows, report.expected_rows);
+    output.line(format!("FAIL: {} mismatches in {rows} rows of {expected}", report.total))?;
+    match &report.causes[..] {
+        [] => output.line(format!(
+            "cause: none of {} single changes explains the whole dump",
+            report.tried
+        ))?,
+        [cause] => output.line(format!("likely cause: {cause}"))?,
+        several => {
+            output.line("likely cause, each explains the whole dump:")?;
+            for cause in several {
+                output.line(format!("  {cause}"))?;
+            }
+        }
+    }
+    output.flush()?;
+    Ok(Outcome::Mismatch)
+}
+
+pub(crate) fn check_failure(error: CheckError) -> Failure {
+    match error {
+        CheckError::Io { path, source } if source.kind() == std::io::ErrorKind::Interrupted => {
+            Failure::interrupted(&format!("{path}: interrupted"))
+        }
+        CheckError::Io { path, source } => Failure::io(&path, &source),
+        other => Failure::input(other),
+    }
+}
+
+fn compare_failure(error: CompareError) -> Failure {
+    match error {
+        CompareError::Set(error) => check_failure(error),
+        CompareError::Dump(DumpError::Io { path, source }) => Failure::io(&path, &source),
+        other => Failure::input(other),
+    }
+}

@@ -1,0 +1,127 @@
+//! Wave files of a trace: Value Change Dump and FST, one clock a row.
+
+use fst_writer::{
+    FstFileType, FstInfo, FstScopeType, FstSignalType, FstVarDirection, FstVarType, open_fst,
+};
+use guardbit::vector::bench::FileSpec;
+use std::fs::File;
+use std::io::{BufWriter, Error, Result, Write};
+use std::path::Path;
+use vcd::{TimescaleUnit, Value, VarType};
+
+/// The files of a test and their rows.
+type Files = [(FileSpec, Vec<Vec<u128>>)];
+
+/// Time units a clock: the edge falls in its middle.
+const CLOCK: u64 = 10;
+
+/// A column as a signal, and its word at each clock; configuration holds its first row.
+struct Signal<'a> {
+    name: &'a str,
+    width: u32,
+    rows: &'a [Vec<u128>],
+    column: usize,
+}
+
+impl Signal<'_> {
+    fn at(&self, clock: usize) -> Option<u128> {
+        Some(self.rows.get(clock.min(self.rows.len().checked_sub(1)?))?[self.column])
+    }
+
+    fn bits(&self, clock: usize) -> Option<String> {
+        Some(format!("{:0width$b}", self.at(clock)?, width = self.width as usize))
+    }
+}
+
+/// Configuration first; then the first expectation file, whose rows are the clocks.
+fn signals(files: &Files) -> (Vec<Signal<'_>>, usize) {
+    let clocks = files.get(1).map_or(0, |(_, rows)| rows.len());
+    let list = files
+        .iter()
+        .take(2)
+        .flat_map(|(spec, rows)| {
+            spec.columns.iter().enumerate().map(move |(column, shape)| Signal {
+                name: &shape.name,
+                width: shape.width,
+                rows,
+                column,
+            })
+        })
+        .collect();
+    (list, clocks)
+}
+
+/// Writes a Value Change Dump.
+pub(crate) fn vcd(path: &Path, module: &str, files: &Files) -> Result<()> {
+    let (signals, clocks) = signals(files);
+    let mut writer = vcd::Writer::new(BufWriter::new(File::create(path)?));
+    writer.timescale(1, TimescaleUnit::NS)?;
+    writer.add_module(module)?;
+    let clock = writer.add_wire(1, "clk")?;
+    let mut ids = Vec::new();
+    for signal in &signals {
+        ids.push(writer.add_var(VarType::Reg, signal.width, signal.name, None)?);
+    }
+    writer.upscope()?;
+    writer.enddefinitions()?;
+    for n in 0..clocks {
+        writer.timestamp(n as u64 * CLOCK)?;
+        writer.change_scalar(clock, Value::V1)?;
+        for (signal, id) in signals.iter().zip(&ids) {
+            if n > 0 && signal.at(n) == signal.at(n - 1) {
+                continue;
+            }
+            let bits = signal.bits(n).unwrap_or_default();
+            writer.change_vector(*id, bits.bytes().map(|bit| Value::from(bit == b'1')))?;
+        }
+        writer.timestamp(n as u64 * CLOCK + CLOCK / 2)?;
+        writer.change_scalar(clock, Value::V0)?;
+    }
+    writer.timestamp(clocks as u64 * CLOCK)?;
+    writer.writer().flush()
+}
+
+/// Writes an FST file.
+pub(crate) fn fst(path: &Path, module: &str, files: &Files) -> Result<()> {
+    write_fst(path, module, files).map_err(|error| match error {
+        fst_writer::FstWriteError::Io(error) => error,
+        other => Error::other(other.to_string()),
+    })
+}
+
+fn write_fst(path: &Path, module: &str, files: &Files) -> fst_writer::Result<()> {
+    let (signals, clocks) = signals(files);
+    let info = FstInfo {
+        start_time: 0,
+        timescale_exponent: -9,
+        version: "guardbit".to_owned(),
+        // No date: the same trace gives the same bytes.
+        date: String::new(),
+        file_type: FstFileType::Verilog,
+    };
+    let mut header = open_fst(path, &info)?;
+    header.scope(module, module, FstScopeType::Module)?;
+    let mut var = |name: &str, width| {
+        let (kind, direction) = (FstVarType::Reg, FstVarDirection::Implicit);
+        header.var(name, FstSignalType::bit_vec(width), kind, direction, None)
+    };
+    let clock = var("clk", 1)?;
+    let ids: Vec<_> = signals
+        .iter()
+        .map(|signal| var(signal.name, signal.width))
+        .collect::<fst_writer::Result<_>>()?;
+    header.up_scope()?;
+    let mut body = header.finish()?;
+    for n in 0..clocks {
+        body.time_change(n as u64 * CLOCK)?;
+        body.signal_change(clock, b"1")?;
+        for (signal, id) in signals.iter().zip(&ids) {
+            body.signal_change(*id, signal.bits(n).unwrap_or_default().as_bytes())?;
+        }
+        body.time_change(n as u64 * CLOCK + CLOCK / 2)?;
+        body.signal_change(clock, b"0")?;
+    }
+    body.time_change(clocks as u64 * CLOCK)?;
+    body.finish()?;
+    Ok(())
+}
