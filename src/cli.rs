@@ -1,12 +1,14 @@
 //! Arguments, exit statuses and the one place where errors become text.
 
 mod budget;
+mod claims;
 mod diff;
 mod eval;
 mod failure;
 mod output;
 mod profile;
 mod progress;
+mod render;
 mod sets;
 mod speed;
 mod trace;
@@ -31,9 +33,11 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Budget(budget::Arguments),
+    Claims(claims::Arguments),
     Diff(diff::Arguments),
     Eval(eval::Arguments),
     Profile(profile::Arguments),
+    Render(render::Arguments),
     Speed(speed::Arguments),
     Trace(trace::Arguments),
     Vectors(vectors::Arguments),
@@ -62,9 +66,11 @@ pub(crate) fn run() -> ExitCode {
     };
     let result = match arguments.command {
         Command::Budget(arguments) => budget::run(&arguments),
+        Command::Claims(arguments) => claims::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
+        Command::Render(arguments) => render::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Vectors(arguments) => vectors::run(&arguments),

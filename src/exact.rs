@@ -24,7 +24,7 @@ mod number;
 mod plane;
 mod round;
 
-pub use cover::{Position, Rule, classify, covers};
+pub use cover::{Position, Rule, classify, covered_row, covers};
 pub use edge::{Row, edge_value, edge_x, first_pixel};
 pub use number::{Point, Rational, dyadic, integer, ratio};
 pub use plane::{plane_at, plane_slopes, plane_word};

@@ -1,7 +1,9 @@
 //! Standard output through one locked, buffered writer.
 
 use super::failure::Failure;
+use std::fs::File;
 use std::io::{BufWriter, StdoutLock, Write};
+use std::path::Path;
 
 /// The locked writer of a command.
 pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
@@ -33,4 +35,20 @@ impl Output {
     pub(crate) fn flush(&mut self) -> Result<(), Failure> {
         self.0.flush().map_err(|e| Failure::io("standard output", &e))
     }
+}
+
+/// Writes a file aside and renames it when it is whole: nothing is left half-written.
+pub(crate) fn write_whole(
+    path: &Path,
+    write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>,
+) -> Result<(), Failure> {
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let aside = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
+    let result = File::create(&aside)
+        .and_then(|file| write(BufWriter::new(file)))
+        .and_then(|()| std::fs::rename(&aside, path));
+    result.map_err(|error| {
+        let _ = std::fs::remove_file(&aside);
+        Failure::io(&path.display().to_string(), &error)
+    })
 }

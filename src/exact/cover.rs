@@ -1,8 +1,8 @@
 //! Exact coverage from where a triangle's outline crosses a row. The oracle of spec clauses `C-*`.
 
 use super::edge::{edge_value, edge_x};
-use super::number::{Point, Rational};
-use num_traits::Zero;
+use super::number::{Point, Rational, integer};
+use num_traits::{ToPrimitive, Zero};
 
 /// Where a point lies in a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +44,22 @@ pub fn covers(triangle: [[i128; 2]; 3], sample: impl Into<Point>, rule: Rule) ->
         Rule::TopLeft => left <= sample.x && sample.x < right,
         Rule::Shadow => left < sample.x && sample.x <= right,
     }
+}
+
+/// The samples `x + n * pitch` of row `y` that `triangle` covers, as a half-open range of n.
+pub fn covered_row(
+    triangle: [[i128; 2]; 3],
+    (x, y): (i128, i128),
+    pitch: i128,
+    rule: Rule,
+) -> Option<(i128, i128)> {
+    let steps = crossings(triangle, &integer(y))?.map(|at| (at - integer(x)) / integer(pitch));
+    let first = steps.map(|at| match rule {
+        // The first sample at or right of a crossing, or the first one beyond it.
+        Rule::TopLeft => at.ceil(),
+        Rule::Shadow => at.floor() + integer(1),
+    });
+    Some((first[0].to_integer().to_i128()?, first[1].to_integer().to_i128()?))
 }
 
 /// Whether `point` is inside `triangle`, on its outline, or outside.
@@ -90,6 +106,20 @@ fn on_outline(triangle: [[i128; 2]; 3], point: &Point) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_row_is_the_samples_it_covers() {
+        let triangle = [[1, 0], [17, 5], [3, 13]];
+        for rule in Rule::ALL {
+            for y in -1..15 {
+                let (first, end) = covered_row(triangle, (1, y), 2, rule).unwrap_or((0, 0));
+                for n in -3..12 {
+                    let inside = first <= n && n < end;
+                    assert_eq!(inside, covers(triangle, [1 + 2 * n, y], rule), "{rule:?} {y} {n}");
+                }
+            }
+        }
+    }
 
     /// A square's two halves, both windings.
     const HALVES: [[[i128; 2]; 3]; 4] = [

@@ -1,0 +1,281 @@
+//! `guardbit render`: a scene as a PNG.
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::{Output, write_whole};
+use super::sets;
+use clap::ValueEnum;
+use guardbit::bits::{Event, SpanEvents};
+use guardbit::machine::Sink;
+use guardbit::measure::error::{SampleError, Tally, triangle_error};
+use guardbit::model::{Model, View};
+use guardbit::profile;
+use guardbit::setup::Triangle;
+use std::path::PathBuf;
+
+/// Draw a scene through a profile: image, depth, coverage, or error against the exact truth.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// A built-in name or a TOML file.
+    #[arg(default_value = "sgi-4k")]
+    profile: String,
+    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles.
+    #[arg(long, default_value = "knot")]
+    scene: String,
+    /// What to show.
+    #[arg(long, value_enum, default_value_t = Show::Image)]
+    show: Show,
+    /// The PNG file.
+    #[arg(long, value_name = "FILE", default_value = "guardbit.png")]
+    out: PathBuf,
+    /// Window, as WIDTHxHEIGHT; the profile's by default, at most 1024 x 1024.
+    #[arg(long, value_parser = super::parse_size)]
+    window: Option<(u32, u32)>,
+    /// Draw only pixels [X0, X1) by [Y0, Y1), as X0,Y0,X1,Y1.
+    #[arg(long, value_parser = super::parse_rect)]
+    scissor: Option<guardbit::cover::Rect>,
+    /// Picture pixels a pixel; by default small windows are enlarged to about 256.
+    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=256))]
+    zoom: Option<u32>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    /// Lit by the depth gradient, nearest surface.
+    Image,
+    /// Nearest depth, near is bright.
+    Depth,
+    /// Samples hit: once green, twice yellow, more often toward red.
+    Coverage,
+    /// Worst depth error a pixel, blue 0 to red 1 ULP and above; white missing, magenta extra.
+    Error,
+}
+
+type Colour = [u8; 3];
+
+const BACKGROUND: Colour = [24, 26, 32];
+
+/// Pixels of a picture, with the nearest depth of each.
+struct Canvas {
+    width: u32,
+    colour: Vec<Colour>,
+    depth: Vec<Option<u64>>,
+    hits: Vec<u32>,
+    worst: Vec<Option<f64>>,
+}
+
+impl Canvas {
+    fn at(&self, x: u32, y: u32) -> usize {
+        (y as usize) * self.width as usize + x as usize
+    }
+}
+
+/// Draws one triangle into a canvas, nearest depth in front.
+struct Brush<'a> {
+    canvas: &'a mut Canvas,
+    colour: Colour,
+    wraps: u64,
+}
+
+impl Sink for Brush<'_> {
+    fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
+        for (n, x) in (x0..x1).enumerate() {
+            let at = self.canvas.at(x, y);
+            self.canvas.hits[at] += 1;
+            let near = depth.get(n).copied().unwrap_or(0);
+            if self.canvas.depth[at].is_none_or(|seen| near < seen) {
+                self.canvas.depth[at] = Some(near);
+                self.canvas.colour[at] = self.colour;
+            }
+        }
+    }
+
+    fn wants_events(&self) -> bool {
+        true
+    }
+
+    fn events(&mut self, events: &SpanEvents) {
+        self.wraps += events.count(Event::Wrap);
+    }
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut profile = profile::load(&arguments.profile)?;
+    let window = &mut profile.window;
+    (window.width, window.height) =
+        arguments.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
+    profile.validate().map_err(Failure::input)?;
+    if u64::from(profile.window.width) * u64::from(profile.window.height) > 1 << 26 {
+        return Err(
+            Failure::input("a picture has at most 2^26 pixels").hint("name a smaller --window")
+        );
+    }
+    let scene = sets::snap_scene(&profile, &arguments.scene)?;
+    let view = View { scissor: arguments.scissor, ..View::default() };
+    let model = Model::with_view(&profile, view).map_err(Failure::input)?;
+    let (width, height) = (profile.window.width, profile.window.height);
+    let pixels = width as usize * height as usize;
+    let mut canvas = Canvas {
+        width,
+        colour: vec![BACKGROUND; pixels],
+        depth: vec![None; pixels],
+        hits: vec![0; pixels],
+        worst: vec![None; pixels],
+    };
+    let summary = if arguments.show == Show::Error {
+        draw_errors(&model, &scene.triangles, &mut canvas)
+    } else {
+        draw(&model, &scene.triangles, &mut canvas)
+    };
+    colour(arguments.show, &mut canvas);
+    let zoom = arguments.zoom.unwrap_or_else(|| (256 / width.max(height)).max(1));
+    write_png(arguments, &canvas, (width, height), zoom)?;
+    let mut output = Output::new();
+    output.line(format!(
+        "{}: {} x {}, {} triangles of {}, {summary}",
+        arguments.out.display(),
+        width * zoom,
+        height * zoom,
+        scene.triangles.len(),
+        scene.name
+    ))?;
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+fn draw(model: &Model, triangles: &[Triangle], canvas: &mut Canvas) -> String {
+    let (mut wraps, mut refused) = (0, 0);
+    for triangle in triangles {
+        let colour = lit(model, triangle);
+        let mut brush = Brush { canvas, colour, wraps: 0 };
+        refused += u64::from(model.draw(triangle, &mut brush).is_err());
+        wraps += brush.wraps;
+    }
+    let samples: u64 = canvas.hits.iter().map(|hits| u64::from(*hits)).sum();
+    let refused =
+        if refused > 0 { format!(", {refused} triangles refused") } else { String::new() };
+    format!("{samples} samples, {wraps} wraps{refused}")
+}
+
+fn draw_errors(model: &Model, triangles: &[Triangle], canvas: &mut Canvas) -> String {
+    let mut total = Tally::default();
+    for triangle in triangles {
+        let tally = triangle_error(model, triangle, |x, y, error| {
+            let at = canvas.at(x, y);
+            // Misclassified samples show before any depth error.
+            let badness = match error {
+                SampleError::Depth(ulp) => ulp.abs(),
+                SampleError::Extra => f64::MAX,
+                SampleError::Missing => f64::INFINITY,
+            };
+            canvas.worst[at] = Some(canvas.worst[at].map_or(badness, |seen| seen.max(badness)));
+        });
+        total.samples += tally.samples;
+        total.missing += tally.missing;
+        total.extra += tally.extra;
+        total.worst = total.worst.max(tally.worst);
+        total.sum += tally.sum;
+    }
+    format!(
+        "{} samples, {} missing, {} extra, depth error worst {:.3} mean {:+.3} ULP",
+        total.samples,
+        total.missing,
+        total.extra,
+        total.worst,
+        total.mean()
+    )
+}
+
+/// A grey-blue by how much the triangle's depth gradient faces a light over the left shoulder.
+fn lit(model: &Model, triangle: &Triangle) -> Colour {
+    let [a, b, c] = triangle.xy.map(|vertex| vertex.map(|value| value as f64));
+    let z = triangle.z.unwrap_or_default().map(|value| value as f64);
+    let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+    // Depth in the same units as x: the whole range is as deep as the window is wide.
+    let profile = model.profile();
+    let pixel = f64::from(1u32 << profile.vertex.sub_pixel.min(31));
+    let deep = profile.depth_max().max(1) as f64 / (f64::from(profile.window.width) * pixel);
+    let slope_x = ((z[1] - z[0]) * (c[1] - a[1]) - (z[2] - z[0]) * (b[1] - a[1])) / area / deep;
+    let slope_y = ((z[2] - z[0]) * (b[0] - a[0]) - (z[1] - z[0]) * (c[0] - a[0])) / area / deep;
+    // Window depth flattens far slopes; bring them out again.
+    let (x, y) = (slope_x * 6.0, slope_y * 6.0);
+    let facing = (1.0 + 0.5 * x + 0.7 * y) / ((x * x + y * y + 1.0).sqrt() * 1.32);
+    let light = if facing.is_finite() { facing.clamp(0.0, 1.0) } else { 0.5 };
+    [[70.0, 150.0], [84.0, 150.0], [104.0, 145.0]]
+        .map(|[dark, range]| channel(dark * 0.6 + range * light))
+}
+
+/// A colour channel; the clamp makes the conversion exact.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0..=255")]
+fn channel(value: f64) -> u8 {
+    value.clamp(0.0, 255.0) as u8
+}
+
+fn colour(show: Show, canvas: &mut Canvas) {
+    match show {
+        Show::Image => {}
+        Show::Depth => {
+            let seen = || canvas.depth.iter().flatten().copied();
+            let (low, high) = (seen().min().unwrap_or(0), seen().max().unwrap_or(0));
+            let range = (high - low).max(1) as f64;
+            for (pixel, depth) in canvas.colour.iter_mut().zip(&canvas.depth) {
+                if let Some(depth) = depth {
+                    let far = (depth - low) as f64 / range;
+                    *pixel = [channel(255.0 - 225.0 * far); 3];
+                }
+            }
+        }
+        Show::Coverage => {
+            for (pixel, hits) in canvas.colour.iter_mut().zip(&canvas.hits) {
+                *pixel = match hits {
+                    0 => BACKGROUND,
+                    1 => [60, 160, 90],
+                    2 => [225, 190, 60],
+                    3 => [230, 140, 50],
+                    _ => [215, 60, 50],
+                };
+            }
+        }
+        Show::Error => {
+            for (pixel, worst) in canvas.colour.iter_mut().zip(&canvas.worst) {
+                *pixel = match worst {
+                    None => BACKGROUND,
+                    Some(worst) if worst.is_infinite() => [255, 255, 255],
+                    Some(worst) if *worst == f64::MAX => [255, 0, 255],
+                    Some(worst) => heat(worst.min(1.0)),
+                };
+            }
+        }
+    }
+}
+
+/// Blue over green to red.
+fn heat(value: f64) -> Colour {
+    let hump = |centre: f64| channel(300.0 - 600.0 * (value - centre).abs());
+    [hump(1.0).max(channel(60.0 * value)), hump(0.5), hump(0.0).max(30)]
+}
+
+fn write_png(
+    arguments: &Arguments,
+    canvas: &Canvas,
+    size: (u32, u32),
+    zoom: u32,
+) -> Result<(), Failure> {
+    let mut data = Vec::with_capacity(canvas.colour.len() * 3 * (zoom * zoom) as usize);
+    for row in canvas.colour.chunks_exact(size.0 as usize) {
+        for _ in 0..zoom {
+            for pixel in row {
+                for _ in 0..zoom {
+                    data.extend_from_slice(pixel);
+                }
+            }
+        }
+    }
+    write_whole(&arguments.out, |file| {
+        let mut encoder = png::Encoder::new(file, size.0 * zoom, size.1 * zoom);
+        encoder.set_color(png::ColorType::Rgb);
+        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
+        writer.write_image_data(&data).map_err(std::io::Error::other)?;
+        writer.finish().map_err(std::io::Error::other)
+    })
+}

@@ -1,0 +1,145 @@
+//! Arithmetic error: what the model drew against the exact truth of the snapped triangle.
+//!
+//! Snap error, the distance between a scene and its snapped self, is another thing and is not
+//! counted here.
+
+use crate::cover::FillRule;
+use crate::exact::{self, Rule};
+use crate::model::{Drawing, Model};
+use crate::profile::Form;
+use crate::setup::Triangle;
+use num_traits::ToPrimitive;
+
+/// How one sample differs from the exact truth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum SampleError {
+    /// Covered by both; the depth differs by this many ULP (0 without depth).
+    Depth(f64),
+    /// Covered by the exact triangle only.
+    Missing,
+    /// Covered by the model only.
+    Extra,
+}
+
+/// Sums over samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Tally {
+    /// Samples covered by both.
+    pub samples: u64,
+    /// Samples that only the exact triangle covers.
+    pub missing: u64,
+    /// Samples that only the model covers.
+    pub extra: u64,
+    /// Largest depth error in ULP.
+    pub worst: f64,
+    /// Sum of signed depth errors in ULP.
+    pub sum: f64,
+}
+
+impl Tally {
+    /// Counts a sample.
+    pub fn note(&mut self, error: SampleError) {
+        match error {
+            SampleError::Missing => self.missing += 1,
+            SampleError::Extra => self.extra += 1,
+            SampleError::Depth(ulp) => {
+                self.samples += 1;
+                self.worst = self.worst.max(ulp.abs());
+                self.sum += ulp;
+            }
+        }
+    }
+
+    /// Mean signed depth error in ULP.
+    pub fn mean(&self) -> f64 {
+        if self.samples == 0 { 0.0 } else { self.sum / self.samples as f64 }
+    }
+}
+
+/// The exact plane over a triangle as integers: value times `whole` at sub-pixel (0, 0), and its
+/// changes.
+struct ExactPlane {
+    whole: i128,
+    origin: i128,
+    slope: [i128; 2],
+}
+
+impl ExactPlane {
+    fn new(triangle: &Triangle) -> Option<Self> {
+        let (xy, z) = (triangle.xy, triangle.z?);
+        let whole = exact::edge_value(xy[0], xy[1], xy[2]);
+        let scaled = |value: exact::Rational| (value * &whole).to_integer().to_i128();
+        let [dx, dy] = exact::plane_slopes(xy, z)?;
+        Some(Self {
+            origin: scaled(exact::plane_at(xy, z, [0, 0])?)?,
+            slope: [scaled(dx)?, scaled(dy)?],
+            whole: whole.to_integer().to_i128()?,
+        })
+    }
+
+    /// How far a read-out lies above the plane, in ULP.
+    fn error(&self, [x, y]: [i128; 2], read: u64) -> f64 {
+        let exact = self.origin + self.slope[0] * x + self.slope[1] * y;
+        let above = i128::from(read) * self.whole - exact;
+        above as f64 / self.whole as f64
+    }
+}
+
+/// Compares what the model draws with the exact triangle, sample by sample, within the model's
+/// clip. Calls `each` with column, row and error; returns the tally.
+pub fn triangle_error(
+    model: &Model,
+    triangle: &Triangle,
+    mut each: impl FnMut(u32, u32, SampleError),
+) -> Tally {
+    let mut tally = Tally::default();
+    let mut drawing = Drawing::default();
+    let Ok(grid) = model.profile().grid() else { return tally };
+    if model.draw(triangle, &mut drawing).is_err() || drawing.zero_area {
+        return tally;
+    }
+    let rule = match model.profile().form {
+        Form::EdgeFunction(edges) if edges.rule == FillRule::Shadow => Rule::Shadow,
+        // A walked edge's left end owns its pixel.
+        Form::EdgeFunction(_) | Form::EdgeWalk(_) => Rule::TopLeft,
+    };
+    let clip = model.clip();
+    let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
+    // Rows of a wrong width can reach beyond the triangle: take what was drawn there, too.
+    let drawn_rows =
+        drawing.spans.first().map_or(y0..y0, |s| s.y..drawing.spans[drawing.spans.len() - 1].y + 1);
+    let plane = ExactPlane::new(triangle);
+    let pitch = 1 << grid.sub_pixel;
+    let (mut next, mut first) = (0, 0);
+    for y in y0.min(drawn_rows.start)..y1.max(drawn_rows.end) {
+        let [x, at_y] = grid.position(0, i128::from(y));
+        let exact = exact::covered_row(triangle.xy, (x, at_y), pitch, rule)
+            .map_or((0, 0), |range| clip.clip(0, range));
+        let begin = next;
+        while drawing.spans.get(next).is_some_and(|span| span.y == y) {
+            next += 1;
+        }
+        let drawn = &drawing.spans[begin..next];
+        let left = drawn.first().map_or(exact.0, |span| span.x0.min(exact.0));
+        let right = drawn.last().map_or(exact.1, |span| span.x1.max(exact.1));
+        for x in left..right {
+            let is_drawn = drawn.iter().any(|span| (span.x0..span.x1).contains(&x));
+            let belongs = (exact.0..exact.1).contains(&x);
+            let error = match (is_drawn, belongs) {
+                (false, false) => continue,
+                (false, true) => SampleError::Missing,
+                (true, false) => SampleError::Extra,
+                (true, true) => SampleError::Depth(match (&plane, drawing.depth.get(first)) {
+                    (Some(plane), Some(read)) => {
+                        plane.error(grid.position(i128::from(x), i128::from(y)), *read)
+                    }
+                    _ => 0.0,
+                }),
+            };
+            first += usize::from(is_drawn && plane.is_some());
+            tally.note(error);
+            each(x, y, error);
+        }
+    }
+    tally
+}
