@@ -9,6 +9,7 @@ mod cover;
 mod depth_error;
 mod depth_format;
 mod edge_budget;
+mod edge_population;
 mod edge_walk;
 mod edge_width;
 mod edge_word;
@@ -29,6 +30,7 @@ pub fn all() -> Vec<Statement> {
         edge_budget::statements(),
         edge_word::statements(),
         edge_walk::statements(),
+        edge_population::statements(),
         cover::statements(),
         plane::statements(),
         depth_error::statements(),

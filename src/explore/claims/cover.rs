@@ -31,13 +31,15 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "cover.offset-grid",
-            "offsetting the grid keeps samples off vertices, not off edges: sample (1/2, 1/2) against triangle (0,0) (1,1) (0,1)",
+            "offsetting the grid keeps samples off vertices, not off edges: sample (1/2, 1/2) \
+             against triangle (0,0) (1,1) (0,1)",
             "OnEdge",
             || format!("{:?}", classify([[0, 0], [2, 2], [0, 2]], [1, 1])),
         ),
         Statement::exact(
             "cover.figure",
-            "pixels of 14 triangles with quarter-pixel vertices, top-left rule, by biased edge functions",
+            "pixels of 14 triangles with quarter-pixel vertices, top-left rule, by biased edge \
+             functions",
             &row,
             move || counts(by_edges),
         ),
@@ -50,7 +52,9 @@ pub(super) fn statements() -> Vec<Statement> {
         .slow(),
         Statement::exact(
             "cover.shared-edge",
-            "two triangles on either side of a shared edge cover each centre strictly between its ends exactly once: every such pair on a 5 x 5 half-pixel lattice, each winding; holes + double hits",
+            "two triangles on either side of a shared edge cover each centre strictly between its \
+             ends exactly once: every such pair on a 5 x 5 half-pixel lattice, each winding; \
+             holes + double hits",
             "0 + 0",
             shared_edges,
         )

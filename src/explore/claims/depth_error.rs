@@ -31,7 +31,9 @@ pub(super) fn statements() -> Vec<Statement> {
         .flat_map(|(name, rounding, fraction, worst, mean, misrounded)| {
             let what = |figure: &str| {
                 format!(
-                    "24-bit depth walked over 4096 x 4096, s = 10, {rounding}, F = {fraction}: {figure}; {SAMPLES} triangles with uniform vertices and depths, one covered pixel each, mix64 seed {SEED} class {CLASS}"
+                    "24-bit depth walked over 4096 x 4096, s = 10, {rounding}, F = {fraction}: \
+                     {figure}; {SAMPLES} triangles with uniform vertices and depths, one covered \
+                     pixel each, mix64 seed {SEED} class {CLASS}"
                 )
             };
             let cell = Arc::new(OnceLock::new());

@@ -13,13 +13,15 @@ pub(super) fn statements() -> Vec<Statement> {
     let mut list = vec![
         Statement::exact(
             "depth-format.far-loss",
-            "step of integer Z/w at the far plane over the linear step: f/n, so log2(f/n) bits; f/n = 2, 16, 1000",
+            "step of integer Z/w at the far plane over the linear step: f/n, so log2(f/n) bits; \
+             f/n = 2, 16, 1000",
             "2, 16, 1000",
             || [2, 16, 1000].map(|r| step_ratio(&integer(r), &integer(r)).to_string()).join(", "),
         ),
         Statement::exact(
             "depth-format.mean-step",
-            "mean of that ratio over z, (r^2 + r + 1) / (3r), for r = 10, 100, 1000; by Simpson's rule, exact for a step that is quadratic in z",
+            "mean of that ratio over z, (r^2 + r + 1) / (3r), for r = 10, 100, 1000; by Simpson's \
+             rule, exact for a step that is quadratic in z",
             "37/10, 3367/100, 333667/1000",
             || [10, 100, 1000].map(|r| mean_step(r).to_string()).join(", "),
         ),
@@ -47,7 +49,11 @@ pub(super) fn statements() -> Vec<Statement> {
     list.extend([(100, "1.962"), (500, "1.934"), (1000, "1.937")].map(|(r, expected)| {
         Statement::exact(
             format!("depth-format.float-{r}"),
-            format!("complementary Z/w in a 24-bit unsigned float with gradual underflow, f/n = {r}: mean step over z against the linear step at 4 exponent bits, and the exponent size that is best of 1 to 6"),
+            format!(
+                "complementary Z/w in a 24-bit unsigned float with gradual underflow, f/n = \
+                {r}: mean step over z against the linear step at 4 exponent bits, and the \
+                exponent size that is best of 1 to 6"
+            ),
             format!("{expected}, best 4"),
             move || {
                 let means: Vec<f64> = (1..=6).map(|e| float_mean(r, e)).collect();

@@ -10,7 +10,8 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "edge.budget-35",
-            "lecture A's edge budget, 1 guard + 12 integer + 10 sub-pixel + 12 interpolation bits, is the stored width at 4096, s = 10; with a guard band of one pixel",
+            "lecture A's edge budget, 1 guard + 12 integer + 10 sub-pixel + 12 interpolation \
+             bits, is the stored width at 4096, s = 10; with a guard band of one pixel",
             "35 = 35; 36",
             || {
                 let [none, one] = [0, 1].map(|guard| window(4096, guard, 10).bits().1);
@@ -19,7 +20,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.34-fails",
-            "stored words at the 64 box corners of 4096, s = 10 whose sign is wrong in 35 bits, and whether any is in 34",
+            "stored words at the 64 box corners of 4096, s = 10 whose sign is wrong in 35 bits, \
+             and whether any is in 34",
             "35: 0, 34: some",
             || {
                 let wrong = [wrong_signs::<35>(), wrong_signs::<34>()];
@@ -28,7 +30,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.34-witness",
-            "edge (4096, 0) to (4096, 4096) at the centre of pixel (0, 0), inside: 2^34 - 2^21 - 1 stored in 35 bits, read from 34",
+            "edge (4096, 0) to (4096, 4096) at the centre of pixel (0, 0), inside: 2^34 - 2^21 - \
+             1 stored in 35 bits, read from 34",
             "17177772031, -2097153",
             || {
                 let edge = EdgeCoefficients::between([4096 << 10, 0], [4096 << 10, 4096 << 10]);
@@ -51,7 +54,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.bias-order",
-            "edge (4096, 0) to (4096, 4096) seen from x = 0, s = 10: E >> s without the fill bias, with the bias applied first, and whether each fits 35 bits",
+            "edge (4096, 0) to (4096, 4096) seen from x = 0, s = 10: E >> s without the fill \
+             bias, with the bias applied first, and whether each fits 35 bits",
             "2^34 no, 2^34-1 yes",
             bias_order,
         ),

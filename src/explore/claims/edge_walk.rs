@@ -1,26 +1,29 @@
 //! An edge walked by its x slope: how many fraction bits, and what goes wrong with fewer.
 
-use super::statement::{Statement, real};
+use super::statement::Statement;
 use crate::bits::Rounding;
-use crate::case::Words;
 use crate::cover::SampleGrid;
 use crate::machine::{EdgeWalkConfig, WalkedEdge};
-use std::sync::OnceLock;
 
 /// A walk down one edge by the edge-walk machine, beside its exact x.
-struct Walk {
-    config: EdgeWalkConfig,
+pub(super) struct Walk {
+    pub(super) config: EdgeWalkConfig,
     grid: SampleGrid,
     edge: WalkedEdge,
     /// Exact x in pixels is `(numerator + n step) / denominator` on row `n` of the walk.
     numerator: i128,
     step: i128,
-    denominator: i128,
+    pub(super) denominator: i128,
 }
 
 impl Walk {
     /// The edge between two points with `s` bits below the pixel; `None` where it crosses no row.
-    fn new(ends: [[i128; 2]; 2], s: u32, fraction: u32, rounding: Rounding) -> Option<Self> {
+    pub(super) fn new(
+        ends: [[i128; 2]; 2],
+        s: u32,
+        fraction: u32,
+        rounding: Rounding,
+    ) -> Option<Self> {
         // Half sub-pixels: centres are on the grid even for s = 0.
         let [a, b] = ends.map(|p| p.map(|n| 2 * n));
         let [top, bottom] = if a[1] <= b[1] { [a, b] } else { [b, a] };
@@ -39,7 +42,7 @@ impl Walk {
         })
     }
 
-    fn rows(&self) -> i128 {
+    pub(super) fn rows(&self) -> i128 {
         self.edge.end_row - self.edge.first_row
     }
 
@@ -53,28 +56,41 @@ impl Walk {
     }
 
     /// Whether that is the pixel that the exact x gives: p - 1 < x - 1/2 <= p.
-    fn right(&self, n: i128) -> bool {
+    pub(super) fn right(&self, n: i128) -> bool {
         let twice_x = 2 * (self.numerator + n * self.step);
         let p = self.pixel(n);
         (2 * p - 1) * self.denominator < twice_x && twice_x <= (2 * p + 1) * self.denominator
     }
 
     /// Walked x minus exact x in pixels, as numerator over `denominator 2^fraction`.
-    fn error(&self, n: i128) -> i128 {
+    pub(super) fn error(&self, n: i128) -> i128 {
         let exact = (self.numerator + n * self.step) << self.config.fraction;
         self.x(n) * self.denominator - exact
     }
 }
 
 pub(super) fn statements() -> Vec<Statement> {
-    let mut list = vec![
+    vec![
         Statement::exact(
             "walk.exact-fraction",
-            "fraction bits for exact coverage with floor and ceil(x - 1/2), every edge of windows 2^k, grid s; (k,s) = (1,1) is the exception to 2k+2s, and with s = 0 centres lie off the lattice",
-            "(1,1) 3, (1,2) 6, (1,3) 8, (2,1) 6, (2,2) 8, (3,1) 8, (3,2) 10, (4,1) 10, (3,0) 7, (4,0) 9",
+            "fraction bits for exact coverage with floor and ceil(x - 1/2), every edge of windows \
+             2^k, grid s; (k,s) = (1,1) is the exception to 2k+2s, and with s = 0 centres lie off \
+             the lattice",
+            "(1,1) 3, (1,2) 6, (1,3) 8, (2,1) 6, (2,2) 8, (3,1) 8, (3,2) 10, (4,1) 10, (3,0) 7, \
+             (4,0) 9",
             || {
-                let sizes =
-                    [(1, 1), (1, 2), (1, 3), (2, 1), (2, 2), (3, 1), (3, 2), (4, 1), (3, 0), (4, 0)];
+                let sizes = [
+                    (1, 1),
+                    (1, 2),
+                    (1, 3),
+                    (2, 1),
+                    (2, 2),
+                    (3, 1),
+                    (3, 2),
+                    (4, 1),
+                    (3, 0),
+                    (4, 0),
+                ];
                 let texts = sizes.map(|(k, s)| format!("({k},{s}) {}", exact_fraction(k, s)));
                 texts.join(", ")
             },
@@ -82,36 +98,35 @@ pub(super) fn statements() -> Vec<Statement> {
         .slow(),
         Statement::exact(
             "walk.ties",
-            "fraction bits from 0 to 60 at which an edge walk is exact over a window of 8 pixels, s = 1: nearest / toward zero",
+            "fraction bits from 0 to 60 at which an edge walk is exact over a window of 8 pixels, \
+             s = 1: nearest / toward zero",
             "none / none",
-            || {
-                [Rounding::NearestEven, Rounding::TowardZero].map(never_exact).join(" / ")
-            },
+            || [Rounding::NearestEven, Rounding::TowardZero].map(never_exact).join(" / "),
         ),
         Statement::exact(
             "walk.tie-example",
-            "edge (0, 1/2) to (1, 6 1/2), row 3, exact x = 1/2, F = 22 nearest: accumulator minus 2^21, its pixel, the right pixel",
+            "edge (0, 1/2) to (1, 6 1/2), row 3, exact x = 1/2, F = 22 nearest: accumulator minus \
+             2^21, its pixel, the right pixel",
             "1, pixel 1, right 0",
             tie_example,
         ),
         Statement::exact(
             "walk.half-sub-pixel",
-            "fraction bits that keep every accumulated x within half a sub-pixel, nearest / floor (s+k and s+k+1), every edge of the windows named; on (1,1) floor makes do with 2",
+            "fraction bits that keep every accumulated x within half a sub-pixel, nearest / floor \
+             (s+k and s+k+1), every edge of the windows named; on (1,1) floor makes do with 2",
             "(1,2) 3 / 4, (2,1) 3 / 4, (2,2) 4 / 5, (3,1) 4 / 5, (3,2) 5 / 6, (4,1) 5 / 6",
             || {
                 [(1, 2), (2, 1), (2, 2), (3, 1), (3, 2), (4, 1)]
                     .map(|(k, s)| {
-                        let [near, floor] =
-                            [Rounding::NearestEven, Rounding::Floor].map(|r| half_fraction(k, s, r));
+                        let [near, floor] = [Rounding::NearestEven, Rounding::Floor]
+                            .map(|r| half_fraction(k, s, r));
                         format!("({k},{s}) {near} / {floor}")
                     })
                     .join(", ")
             },
         )
         .slow(),
-    ];
-    list.extend(statistics());
-    list
+    ]
 }
 
 fn points(k: u32, s: u32) -> impl Iterator<Item = [i128; 2]> + Clone {
@@ -171,115 +186,4 @@ fn tie_example() -> String {
             format!("{}, pixel {}, right {right}", walk.x(n) - (1 << 21), walk.pixel(n))
         },
     )
-}
-
-const SEED: u64 = 1;
-const CLASS: u64 = 1;
-const EDGES: u64 = 20_000;
-
-/// What [`EDGES`] random edges over 4096 pixels show at F = 22, s = 10.
-struct Population {
-    worst_sub_pixel: f64,
-    mean_sub_pixel: f64,
-    wrong_rows: f64,
-    touched_edges: f64,
-}
-
-fn population(rounding: Rounding) -> Population {
-    let (mut rows, mut wrong, mut touched, mut crossed) = (0, 0, 0, 0);
-    let (mut worst, mut sum) = (0.0_f64, 0.0);
-    for index in 0..EDGES {
-        let mut words = Words::new(SEED, CLASS, index);
-        let mut point = || [words.between(0, 4096 << 10), words.between(0, 4096 << 10)];
-        let Some(walk) = Walk::new([point(), point()], 10, 22, rounding) else {
-            continue;
-        };
-        let missed = (0..walk.rows()).filter(|n| !walk.right(*n)).count();
-        let unit = real(walk.denominator << walk.config.fraction) / 1024.0;
-        let ends = [0, walk.rows() - 1].map(|n| real(walk.error(n)) / unit);
-        worst = worst.max(ends[0].abs()).max(ends[1].abs());
-        // The mean of a line over its rows is the mean of its ends.
-        sum += f64::midpoint(ends[0], ends[1]) * real(walk.rows());
-        rows += walk.rows();
-        wrong += missed;
-        touched += u32::from(missed > 0);
-        crossed += 1;
-    }
-    Population {
-        worst_sub_pixel: worst,
-        mean_sub_pixel: sum / real(rows),
-        wrong_rows: real(wrong) / real(rows),
-        touched_edges: f64::from(touched) / f64::from(crossed),
-    }
-}
-
-fn nearest() -> &'static Population {
-    static NEAREST: OnceLock<Population> = OnceLock::new();
-    NEAREST.get_or_init(|| population(Rounding::NearestEven))
-}
-
-fn floor() -> &'static Population {
-    static FLOOR: OnceLock<Population> = OnceLock::new();
-    FLOOR.get_or_init(|| population(Rounding::Floor))
-}
-
-fn statistics() -> Vec<Statement> {
-    let what = |figure: &str| {
-        format!(
-            "edge walk, W = 4096, s = 10, F = 22: {figure}; {EDGES} edges with both ends uniform in the window, mix64 seed {SEED} class {CLASS}"
-        )
-    };
-    [
-        Statement::between(
-            "walk.worst-nearest",
-            what("worst error in sub-pixels, nearest (bound 1/2)"),
-            0.463,
-            [0.44, 0.5],
-            || nearest().worst_sub_pixel,
-        ),
-        Statement::between(
-            "walk.worst-floor",
-            what("worst error in sub-pixels, floor (bound 1)"),
-            0.931,
-            [0.88, 1.0],
-            || floor().worst_sub_pixel,
-        ),
-        Statement::within(
-            "walk.mean-floor",
-            what("mean error in sub-pixels over rows, floor: -1/8 for uniform ends, since the mean row is W/4 down its edge and loses half a unit a row"),
-            -0.125,
-            0.005,
-            || floor().mean_sub_pixel,
-        ),
-        Statement::within(
-            "walk.wrong-nearest",
-            what("share of rows with the wrong pixel, nearest: the mean error in pixels, 2^-14 for uniform ends"),
-            6.1e-5,
-            7e-6,
-            || nearest().wrong_rows,
-        ),
-        Statement::within(
-            "walk.wrong-floor",
-            what("share of rows with the wrong pixel, floor: the mean error in pixels, 2^-13 for uniform ends"),
-            1.2e-4,
-            1.2e-5,
-            || floor().wrong_rows,
-        ),
-        Statement::within(
-            "walk.touched-nearest",
-            what("share of edges with a wrong row, nearest: 1 - exp(-wrong rows) averaged over uniform ends is 0.0735"),
-            0.0735,
-            0.01,
-            || nearest().touched_edges,
-        ),
-        Statement::within(
-            "walk.touched-floor",
-            what("share of edges with a wrong row, floor: 1 - exp(-wrong rows) averaged over uniform ends is 0.132"),
-            0.132,
-            0.01,
-            || floor().touched_edges,
-        ),
-    ]
-    .map(Statement::slow)
-    .into()
 }

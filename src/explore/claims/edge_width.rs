@@ -112,7 +112,10 @@ pub(super) fn statements() -> Vec<Statement> {
         .map(|(name, place, case, expected)| {
             Statement::exact(
                 format!("edge.width.{name}"),
-                format!("bits of the biased edge function, full / stored without its low s bits: {place}; the edge function at all 64 box corners, samples at centres"),
+                format!(
+                    "bits of the biased edge function, full / stored without its low s bits: \
+                    {place}; the edge function at all 64 box corners, samples at centres"
+                ),
                 expected,
                 move || {
                     let (full, stored) = case.bits();
@@ -124,7 +127,8 @@ pub(super) fn statements() -> Vec<Statement> {
     list.extend([
         Statement::exact(
             "edge.maximum",
-            "max |E| over a window W with guard band G is (W + G - 1/2)(W + 2G) 4^s: corners against formula for W = 2 to 8192, G = 0, W/2, W, 5W, s = 1 to 10; mismatches",
+            "max |E| over a window W with guard band G is (W + G - 1/2)(W + 2G) 4^s: corners \
+             against formula for W = 2 to 8192, G = 0, W/2, W, 5W, s = 1 to 10; mismatches",
             "0",
             || {
                 cases()
@@ -137,7 +141,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.coefficients",
-            "bits of A and B at k = 12, s = 10, half-open / closed vertices (k+s+1 and k+s+2), from real edges / from the vertex field",
+            "bits of A and B at k = 12, s = 10, half-open / closed vertices (k+s+1 and k+s+2), \
+             from real edges / from the vertex field",
             "23 / 24, 23 / 24",
             || {
                 let real = [(1 << 22) - 1, 1 << 22].map(|high| {
@@ -150,13 +155,15 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.constant",
-            "max |C|: (W + G)(W + 2G) 4^s from the window's corner, (W + 2G)^2 / 2 4^s from its centre; W = 2 to 8192, G = 0, W/2, W, 5W, s = 1 to 10; mismatches",
+            "max |C|: (W + G)(W + 2G) 4^s from the window's corner, (W + 2G)^2 / 2 4^s from its \
+             centre; W = 2 to 8192, G = 0, W/2, W, 5W, s = 1 to 10; mismatches",
             "0",
             || cases().filter(|case| !constant_agrees(*case)).count(),
         ),
         Statement::exact(
             "edge.twice-plus-one",
-            "an edge function of unsigned p-bit coordinates takes 2p + 1 bits, not 2p + 2: every vertex pair and sample for p = 2, 3; box corners for p = 4 to 24",
+            "an edge function of unsigned p-bit coordinates takes 2p + 1 bits, not 2p + 2: every \
+             vertex pair and sample for p = 2, 3; box corners for p = 4 to 24",
             "2p+1 for p = 2 to 24",
             twice_plus_one,
         ),

@@ -14,7 +14,9 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "edge.stored-word",
-            "walking (E + bias) >> s in 2k+s+1 bits: wrong samples over every edge and centre of windows 2^k, grid s = (1,1) (1,2) (2,1) (2,2) (3,1); and how many of the five fail with one bit less",
+            "walking (E + bias) >> s in 2k+s+1 bits: wrong samples over every edge and centre of \
+             windows 2^k, grid s = (1,1) (1,2) (2,1) (2,2) (3,1); and how many of the five fail \
+             with one bit less",
             "0 wrong, 5 of 5 fail with 2k+s",
             || {
                 let wrong: usize = TOYS.into_iter().map(|(k, s)| wrong_walks(k, s, 0, true)).sum();
@@ -32,7 +34,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.down-step",
-            "lecture O's edge (inside negative): E(x, y+1) = E - dX and C = Y dX - X dY, not E + dX; edges of (k,s) = (2,1) where it fails",
+            "lecture O's edge (inside negative): E(x, y+1) = E - dX and C = Y dX - X dY, not E + \
+             dX; edges of (k,s) = (2,1) where it fails",
             "0",
             || {
                 pairs(9)
@@ -48,31 +51,37 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.any-sample",
-            "2k+s+1 bits hold the biased word for any sample on the grid in [0, W)^2: every edge and sample of (1,1) (1,2) (2,1), corners at k = 12, s = 10; the same without bias",
+            "2k+s+1 bits hold the biased word for any sample on the grid in [0, W)^2: every edge \
+             and sample of (1,1) (1,2) (2,1), corners at k = 12, s = 10; the same without bias",
             "biased 4, 5, 6, 35; unbiased 5, 6, 7, 36",
             any_sample,
         ),
         Statement::exact(
             "cover.exact",
-            "coverage by biased edge functions against exact row crossings, every triangle and grid sample of a 4 x 4 sub-pixel lattice; differences",
+            "coverage by biased edge functions against exact row crossings, every triangle and \
+             grid sample of a 4 x 4 sub-pixel lattice; differences",
             "0",
             || lattice_triangles(4).map(differences).sum::<usize>(),
         )
         .slow(),
         Statement::exact(
             "plane.pick",
-            "smallest twice-area of a lattice triangle with a lattice point strictly inside (Pick: 3), and with one covered by the top-left rule; every triangle on a 4 x 4 lattice",
+            "smallest twice-area of a lattice triangle with a lattice point strictly inside \
+             (Pick: 3), and with one covered by the top-left rule; every triangle on a 4 x 4 \
+             lattice",
             "3, 1",
             smallest_areas,
         )
         .slow(),
         Statement::exact(
             "plane.smallest-covered",
-            "triangle (1,1) (2,1) (1,2) at one sub-pixel bit: twice its area, and pixel centres covered",
+            "triangle (1,1) (2,1) (1,2) at one sub-pixel bit: twice its area, and pixel centres \
+             covered",
             "1, 1",
             || {
                 let triangle = Triangle { xy: [[1, 1], [2, 1], [1, 2]], z: None };
-                let covered = (0..4).filter(|n| inside(&triangle, [2 * (n % 2) + 1, 2 * (n / 2) + 1]));
+                let covered =
+                    (0..4).filter(|n| inside(&triangle, [2 * (n % 2) + 1, 2 * (n / 2) + 1]));
                 format!("{}, {}", triangle.area2(), covered.count())
             },
         ),

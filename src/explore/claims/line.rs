@@ -18,7 +18,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "line.decisions",
-            "the same walk's decision variable, going NE on zero (the lecture's code; its figure goes E at (14,13)), and the pixel after (14,13)",
+            "the same walk's decision variable, going NE on zero (the lecture's code; its figure \
+             goes E at (14,13)), and the pixel after (14,13)",
             "4 -2 12 6 0 -6 8 2 -4 10, (15,14)",
             decisions,
         ),
@@ -27,7 +28,8 @@ pub(super) fn statements() -> Vec<Statement> {
         }),
         Statement::exact(
             "line.diamond-d3d",
-            "(10,10) to (20,17) between pixel centres, Direct3D's diamond (its two lower edges and bottom corner belong to it): rows of columns 10 to 19",
+            "(10,10) to (20,17) between pixel centres, Direct3D's diamond (its two lower edges \
+             and bottom corner belong to it): rows of columns 10 to 19",
             "10 11 11 12 13 13 14 15 16 16",
             || diamonds(0, true),
         ),
@@ -39,7 +41,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "line.integer-offset",
-            "lecture S's integer line starting at floor(dx/2) against midpoint with tie to NE, every line of slope 0 to 1 with dx <= 40; different pixels",
+            "lecture S's integer line starting at floor(dx/2) against midpoint with tie to NE, \
+             every line of slope 0 to 1 with dx <= 40; different pixels",
             "0",
             || {
                 (1..=40)
@@ -50,13 +53,15 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "line.circle",
-            "lecture M's circle with a threshold of y - 1 instead of a constant, R = 10, second octant",
+            "lecture M's circle with a threshold of y - 1 instead of a constant, R = 10, second \
+             octant",
             "(0,10)(1,10)(2,10)(3,10)(4,9)(5,9)(6,8)(7,7)",
             || circle(10),
         ),
         Statement::exact(
             "line.edge-coherence",
-            "lecture S's integer edge walk with dX/dY = 5/2 over three rows: its rule (once, and only if sum > dY) against a loop with >=",
+            "lecture S's integer edge walk with dX/dY = 5/2 over three rows: its rule (once, and \
+             only if sum > dY) against a loop with >=",
             "3, 7",
             || format!("{}, {}", coherence(5, 2, 3, false), coherence(5, 2, 3, true)),
         ),

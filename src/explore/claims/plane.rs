@@ -10,14 +10,16 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "plane.slope-small",
-            "largest |dz/dx| in ULP per pixel, every triangle and depth of (k,s,d) = (1,0,2), (1,1,2), (1,1,3): (2^d - 1) W 4^s",
+            "largest |dz/dx| in ULP per pixel, every triangle and depth of (k,s,d) = (1,0,2), \
+             (1,1,2), (1,1,3): (2^d - 1) W 4^s",
             "6, 24, 56",
             || [(1, 0, 2), (1, 1, 2), (1, 1, 3)].map(|(k, s, d)| steepest(k, s, d)).join(", "),
         )
         .slow(),
         Statement::exact(
             "plane.slope-sgi",
-            "|dz/dx| at k = 12, s = 10, d = 24 on a triangle of the window's height with twice-area 1, as 2^56 minus",
+            "|dz/dx| at k = 12, s = 10, d = 24 on a triangle of the window's height with \
+             twice-area 1, as 2^56 minus",
             format!("{}", 1_i64 << 32),
             || {
                 let height = 1 << 22;
@@ -29,7 +31,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "plane.longest-walk",
-            "lecture A's depth walk over 4096 x 4096: 8190 steps and a start, each rounded to nearest; fewest F with a bound below half an ULP, the bound there, and at F - 1",
+            "lecture A's depth walk over 4096 x 4096: 8190 steps and a start, each rounded to \
+             nearest; fewest F with a bound below half an ULP, the bound there, and at F - 1",
             "F = 13: 8191/16384 < 1/2, 8191/8192 not",
             longest_walk,
         ),
@@ -41,20 +44,32 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "plane.fraction",
-            "(2W - 1) roundings stay below a bound for every window W = 2 to 2^16: nearest below 1/2 at F = k+1, floor below 1 at k+1 and below 1/2 at k+2; windows where one fails, and where the same holds with one bit less",
+            "(2W - 1) roundings stay below a bound for every window W = 2 to 2^16: nearest below \
+             1/2 at F = k+1, floor below 1 at k+1 and below 1/2 at k+2; windows where one fails, \
+             and where the same holds with one bit less",
             "0, 0",
             fraction_bounds,
         ),
         Statement::exact(
             "plane.fraction-toy",
-            "worst error over every triangle, depth and centre of (k,s,d) = (1,1,2) is below: nearest F = 2 1/2, floor F = 2 1, floor F = 3 1/2",
+            "worst error over every triangle, depth and centre of (k,s,d) = (1,1,2) is below: \
+             nearest F = 2 1/2, floor F = 2 1, floor F = 3 1/2",
             "below, below, below",
             || {
-                [(Rounding::NearestEven, 2, dyadic(1, 1)), (Rounding::Floor, 2, integer(1)), (Rounding::Floor, 3, dyadic(1, 1))]
-                    .map(|(rounding, fraction, bound)| {
-                        if toy_worst(rounding, fraction).is_some_and(|worst| worst < bound) { "below" } else { "not below" }
-                    })
-                    .join(", ")
+                [
+                    (Rounding::NearestEven, 2, dyadic(1, 1)),
+                    (Rounding::Floor, 2, integer(1)),
+                    (Rounding::Floor, 3, dyadic(1, 1)),
+                ]
+                .map(|(rounding, fraction, bound)| {
+                    if toy_worst(rounding, fraction).is_some_and(|worst| worst < bound) {
+                        "below"
+                    } else {
+                        "\
+                            not below"
+                    }
+                })
+                .join(", ")
             },
         )
         .slow(),

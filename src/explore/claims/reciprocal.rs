@@ -20,12 +20,16 @@ struct Worst {
 pub(super) fn statements() -> Vec<Statement> {
     let what = |figure: &str| {
         format!(
-            "24-bit depth over 4096 x 4096, s = 10, slopes from a 24-bit reciprocal of the area, products not rounded: {figure}; {TRIANGLES} slivers of two uniform vertices and one 1/16 pixel off the line between them, one covered pixel each, mix64 seed {SEED} class {CLASS}"
+            "24-bit depth over 4096 x 4096, s = 10, slopes from a 24-bit reciprocal of the area, \
+             products not rounded: {figure}; {TRIANGLES} slivers of two uniform vertices and one \
+             1/16 pixel off the line between them, one covered pixel each, mix64 seed {SEED} \
+             class {CLASS}"
         )
     };
     let mut list = vec![Statement::exact(
         "reciprocal.witness",
-        "triangle of twice-area 2^44 - 2^20, depths 0 and 2^24 - 1, one 24-bit reciprocal: error in ULP at the far vertex, (1 - 2^-24)(1 - 2^-23), just under 1",
+        "triangle of twice-area 2^44 - 2^20, depths 0 and 2^24 - 1, one 24-bit reciprocal: error \
+         in ULP at the far vertex, (1 - 2^-24)(1 - 2^-23), just under 1",
         "140737463189505/140737488355328",
         witness,
     )];
@@ -40,7 +44,8 @@ pub(super) fn statements() -> Vec<Statement> {
         Statement::within(
             "reciprocal.apart",
             what(
-                "log10 of how much worse when the x slope's differs by one unit in the last place; at most 2^24 2^22 2^22 / (64 2^22) 2^-23 = 2^17 ULP, five orders",
+                "log10 of how much worse when the x slope's differs by one unit in the last \
+                 place; at most 2^24 2^22 2^22 / (64 2^22) 2^-23 = 2^17 ULP, five orders",
             ),
             5.1,
             0.3,

@@ -10,29 +10,35 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "wrap.path",
-            "accumulators that differ from direct evaluation along a path: every start, dx and dy of 4 bits, every path of up to 5 steps left, right, up, down",
+            "accumulators that differ from direct evaluation along a path: every start, dx and dy \
+             of 4 bits, every path of up to 5 steps left, right, up, down",
             "0",
             paths,
         )
         .slow(),
         Statement::exact(
             "wrap.saturating",
-            "4-bit saturating accumulator, one step and back: pairs of start and slope -7 to 7 that do not return; a slope of +-m loses m starts, so 2 (1 + ... + 7)",
+            "4-bit saturating accumulator, one step and back: pairs of start and slope -7 to 7 \
+             that do not return; a slope of +-m loses m starts, so 2 (1 + ... + 7)",
             "56",
-            || lost(|start, slope| {
-                let negative = Word::saturating(W, -slope.to_i128());
-                start.saturating_add(slope).saturating_add(negative) == start
-            }),
+            || {
+                lost(|start, slope| {
+                    let negative = Word::saturating(W, -slope.to_i128());
+                    start.saturating_add(slope).saturating_add(negative) == start
+                })
+            },
         ),
         Statement::exact(
             "wrap.clamped",
-            "accumulator clamped to [0, 2^2) at every step, 1 guard + 2 integer bits, start 3, slope +1: read after one step out and one back, sticky / on read-out only",
+            "accumulator clamped to [0, 2^2) at every step, 1 guard + 2 integer bits, start 3, \
+             slope +1: read after one step out and one back, sticky / on read-out only",
             "2 / 3",
             || [Clamp::Saturate, Clamp::Guard].map(out_and_back).join(" / "),
         ),
         Statement::exact(
             "wrap.floating",
-            "binary32 accumulator, start 2^24, one step of +1 and one of -1, minus 2^24: floating / 32-bit word",
+            "binary32 accumulator, start 2^24, one step of +1 and one of -1, minus 2^24: floating \
+             / 32-bit word",
             "-1 / 0",
             || {
                 let start = 16_777_216_f32;
