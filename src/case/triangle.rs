@@ -25,6 +25,8 @@ pub const SCENE: Class = Class { tag: "scene", catches: "what a real scene meets
 pub struct Stimulus {
     range: (i128, i128),
     pixel: i128,
+    /// Bits that a slope's numerator is scaled by before it is divided.
+    scale: u32,
     centre: [i128; 2],
     window: [i128; 2],
     depth: Option<i128>,
@@ -37,6 +39,7 @@ impl Stimulus {
         Self {
             range: profile.vertex.range(),
             pixel: 1 << profile.vertex.sub_pixel,
+            scale: profile.vertex.sub_pixel + profile.depth.map_or(0, |depth| depth.interpolation),
             centre: grid,
             window: [i128::from(profile.window.width), i128::from(profile.window.height)],
             depth: profile.depth.map(|_| i128::from(profile.depth_max())),
@@ -198,6 +201,20 @@ impl Stimulus {
             for z in 0..=area {
                 list.push(([[x, y], [x + area, y], [x, y + 1]], [17, 17 + z, 17]));
                 list.push(([[x, y], [x + 1, y], [x, y + area]], [17 + z, 17, 17]));
+            }
+        }
+        // Twice the area 2^(scale + 1) under an odd numerator: the slope lies half way between two
+        // words. In every octant, and for either slope.
+        let ties = self.scale + 1;
+        let (p, q) = (1i128 << ties.div_ceil(2), 1i128 << (ties / 2));
+        let [x, y] = self.window.map(|side| side * self.pixel / 2);
+        for [dx, dy] in [[1, 1], [1, -1], [-1, 1], [-1, -1]] {
+            let at = |u: i128, v: i128| [[x + dx * u, y + dy * v], [x + dx * v, y + dy * u]];
+            let (b, c) = (at(p, 1), at(p, 1 + q));
+            for axes in 0..2 {
+                for z in [[17, 18, 17], [18, 17, 18], [17, 20, 18], [20, 17, 19]] {
+                    list.push(([[x, y], b[axes], c[axes]], z));
+                }
             }
         }
         ("every-remainder", "a rounding other than the profile's, ties above all", list)

@@ -136,6 +136,23 @@ fn widest(width: u32) -> Directed {
     Directed { class: Class { tag: "widest-slopes", catches }, walks }
 }
 
+/// A direction in each octant, x to the right and y down.
+const DIRECTIONS: [[i128; 2]; 8] =
+    [[2, 1], [1, 2], [-1, 2], [-2, 1], [-2, -1], [-1, -2], [1, -2], [2, -1]];
+
+/// Walks in every octant from each of `starts`, by steps of `unit`.
+fn every_octant(starts: &[i128], unit: i128) -> Directed {
+    let mut walks = Vec::new();
+    for [dx, dy] in DIRECTIONS {
+        for &init in starts {
+            let (dx, dy) = (dx * unit, dy * unit);
+            walks.push(Walk { init, dx, dy, pattern: Pattern::Pairs, rows: 4 });
+        }
+    }
+    let catches = "a combination of slope signs, zone and remainder that goes its own way";
+    Directed { class: Class { tag: "every-octant", catches }, walks }
+}
+
 /// Directed walks for a depth DDA.
 pub fn depth(read: ReadOut) -> Vec<Directed> {
     let (width, fraction) = (read.width(), read.fraction());
@@ -180,7 +197,14 @@ pub fn depth(read: ReadOut) -> Vec<Directed> {
     let catches = "a read-out that rounds, or drops the wrong number of bits";
     let remainders =
         Directed { class: Class { tag: "every-remainder", catches }, walks: remainders };
-    vec![range_ends(width, &boundaries), guard, wrap(width), widest(width), remainders]
+    // Inside, above and below, with nothing dropped, less than a half, a half, more.
+    let one = 1i128 << fraction;
+    let starts: Vec<i128> = [half, read.top() + half.min(4 * one), -4 * one]
+        .into_iter()
+        .flat_map(|zone| [0, one / 4, one / 2, one - 1].map(|rest| zone + rest))
+        .collect();
+    let octants = every_octant(&starts, one);
+    vec![range_ends(width, &boundaries), guard, wrap(width), widest(width), remainders, octants]
 }
 
 /// Directed walks for an edge stepper.
@@ -195,7 +219,8 @@ pub fn edge(width: u32) -> Vec<Directed> {
     }
     let catches = "a sample on the edge put on the wrong side: sign test, tie rule, bias";
     let crossing = Directed { class: Class { tag: "sample-on-edge", catches }, walks };
-    vec![range_ends(width, &[]), crossing, wrap(width), widest(width)]
+    let octants = every_octant(&[-2, -1, 0, 1], 1);
+    vec![range_ends(width, &[]), crossing, wrap(width), widest(width), octants]
 }
 
 /// The class of random walks.

@@ -1,4 +1,5 @@
 //! `guardbit render`: a scene as a PNG.
+#![allow(clippy::cast_precision_loss, reason = "colours need no more than a few digits")]
 
 use super::Outcome;
 use super::failure::Failure;
@@ -53,6 +54,8 @@ enum Show {
 
 type Colour = [u8; 3];
 
+/// Stands for a sample that only the model covers: beyond any depth error.
+const EXTRA: f64 = f64::MAX;
 const BACKGROUND: Colour = [24, 26, 32];
 
 /// Pixels of a picture, with the nearest depth of each.
@@ -165,7 +168,7 @@ fn draw_errors(model: &Model, triangles: &[Triangle], canvas: &mut Canvas) -> St
             // Misclassified samples show before any depth error.
             let badness = match error {
                 SampleError::Depth(ulp) => ulp.abs(),
-                SampleError::Extra => f64::MAX,
+                SampleError::Extra => EXTRA,
                 SampleError::Missing => f64::INFINITY,
             };
             canvas.worst[at] = Some(canvas.worst[at].map_or(badness, |seen| seen.max(badness)));
@@ -200,7 +203,8 @@ fn lit(model: &Model, triangle: &Triangle) -> Colour {
     // Window depth flattens far slopes; bring them out again.
     let (x, y) = (slope_x * 6.0, slope_y * 6.0);
     let facing = (1.0 + 0.5 * x + 0.7 * y) / ((x * x + y * y + 1.0).sqrt() * 1.32);
-    let light = if facing.is_finite() { facing.clamp(0.0, 1.0) } else { 0.5 };
+    // Half of the light comes from everywhere, so that no side drowns.
+    let light = if facing.is_finite() { 0.5 + 0.5 * facing.clamp(-1.0, 1.0) } else { 0.5 };
     [[70.0, 150.0], [84.0, 150.0], [104.0, 145.0]]
         .map(|[dark, range]| channel(dark * 0.6 + range * light))
 }
@@ -241,7 +245,7 @@ fn colour(show: Show, canvas: &mut Canvas) {
                 *pixel = match worst {
                     None => BACKGROUND,
                     Some(worst) if worst.is_infinite() => [255, 255, 255],
-                    Some(worst) if *worst == f64::MAX => [255, 0, 255],
+                    Some(worst) if *worst >= EXTRA => [255, 0, 255],
                     Some(worst) => heat(worst.min(1.0)),
                 };
             }

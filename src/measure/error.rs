@@ -1,7 +1,11 @@
 //! Arithmetic error: what the model drew against the exact truth of the snapped triangle.
 //!
+//! Depth is compared as the accumulator holds it, after the clamp and before the read-out drops
+//! its fraction: that is the error a budget of interpolation bits answers for.
+//!
 //! Snap error, the distance between a scene and its snapped self, is another thing and is not
 //! counted here.
+#![allow(clippy::cast_precision_loss, reason = "errors are reported as real numbers")]
 
 use crate::cover::FillRule;
 use crate::exact::{self, Rule};
@@ -77,11 +81,11 @@ impl ExactPlane {
         })
     }
 
-    /// How far a read-out lies above the plane, in ULP.
-    fn error(&self, [x, y]: [i128; 2], read: u64) -> f64 {
+    /// How far an accumulator of `fraction` fraction bits lies above the plane, in ULP.
+    fn error(&self, [x, y]: [i128; 2], accumulator: i128, fraction: u32) -> f64 {
         let exact = self.origin + self.slope[0] * x + self.slope[1] * y;
-        let above = i128::from(read) * self.whole - exact;
-        above as f64 / self.whole as f64
+        let above = accumulator * self.whole - (exact << fraction);
+        above as f64 / (self.whole << fraction) as f64
     }
 }
 
@@ -109,8 +113,12 @@ pub fn triangle_error(
     let drawn_rows =
         drawing.spans.first().map_or(y0..y0, |s| s.y..drawing.spans[drawing.spans.len() - 1].y + 1);
     let plane = ExactPlane::new(triangle);
+    let rounded = model.depth().zip(triangle.normalised().z);
+    let rounded = rounded.map(|(depth, z)| {
+        (depth.read_out(), depth.start_bias(), depth.plane(&triangle.normalised(), z, &grid))
+    });
     let pitch = 1 << grid.sub_pixel;
-    let (mut next, mut first) = (0, 0);
+    let mut next = 0;
     for y in y0.min(drawn_rows.start)..y1.max(drawn_rows.end) {
         let [x, at_y] = grid.position(0, i128::from(y));
         let exact = exact::covered_row(triangle.xy, (x, at_y), pitch, rule)
@@ -129,14 +137,16 @@ pub fn triangle_error(
                 (false, false) => continue,
                 (false, true) => SampleError::Missing,
                 (true, false) => SampleError::Extra,
-                (true, true) => SampleError::Depth(match (&plane, drawing.depth.get(first)) {
-                    (Some(plane), Some(read)) => {
-                        plane.error(grid.position(i128::from(x), i128::from(y)), *read)
+                (true, true) => SampleError::Depth(match (&plane, &rounded) {
+                    (Some(exact), Some((read, bias, plane))) => {
+                        let (x, y) = (i128::from(x), i128::from(y));
+                        // What wraps reads as what it wrapped to; what is clamped, as the clamp.
+                        let held = read.reduce(plane.at(x, y)).clamp(0, read.top() - 1) - bias;
+                        exact.error(grid.position(x, y), held, read.fraction())
                     }
                     _ => 0.0,
                 }),
             };
-            first += usize::from(is_drawn && plane.is_some());
             tally.note(error);
             each(x, y, error);
         }

@@ -118,14 +118,20 @@ impl Depth {
 
     /// The rounded plane of a normalised triangle of positive area, unreduced.
     pub fn plane(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> Plane {
-        let DepthConfig { rounding, division, interpolation, start_bias, .. } = self.config;
+        let DepthConfig { rounding, division, interpolation, .. } = self.config;
         let gradient = Gradient::new(triangle, z);
         let mut plane =
             Plane::round(&gradient, grid.offset, grid.sub_pixel, interpolation, rounding, division);
-        if start_bias == StartBias::Half && interpolation > 0 {
-            plane.start += 1 << (interpolation - 1);
-        }
+        plane.start += self.start_bias();
         plane
+    }
+
+    /// What the start gains, in accumulator units.
+    pub fn start_bias(&self) -> i128 {
+        match (self.config.start_bias, self.config.interpolation) {
+            (StartBias::Half, 1..) => 1 << (self.config.interpolation - 1),
+            _ => 0,
+        }
     }
 
     /// Reads the run of `out.len()` samples from pixel (x, y) rightward.

@@ -5,7 +5,7 @@ mod coverage;
 mod triangle;
 mod walk;
 
-pub use coverage::{Cell, Coverage};
+pub use coverage::{Cell, Coverage, Shape};
 pub use triangle::TriangleBench;
 pub use walk::{Quirk, WalkBench, WalkKind};
 
@@ -56,6 +56,9 @@ pub trait Bench: Send + Sync {
     fn operand_file(&self) -> Option<FileSpec> {
         None
     }
+
+    /// Which coverage cells the bench can meet.
+    fn shape(&self) -> Shape;
 
     /// The stimulus of a test in words, for a person.
     fn describe(&self, at: TestAt) -> String;

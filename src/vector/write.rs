@@ -368,7 +368,7 @@ fn finish(
             tests,
             rows,
         }));
-        let (cells, holes) = emitted.coverage.report();
+        let (cells, holes) = emitted.coverage.report(bench.shape());
         coverage.push(CoverageEntry { bench: bench.name().to_owned(), cells, holes });
     }
     let companions = companions(

@@ -15,6 +15,25 @@ pub struct Coverage {
     cells: [[[u64; 4]; 3]; 8],
 }
 
+/// Which zones and remainders a bench can meet at all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shape {
+    /// Inside, above, below.
+    pub zones: [bool; 3],
+    /// Zero, below half, tie, above half.
+    pub remainders: [bool; 4],
+}
+
+impl Shape {
+    /// Everything.
+    pub const ALL: Self = Self { zones: [true; 3], remainders: [true; 4] };
+
+    /// The remainders that `bits` dropped bits can have.
+    pub fn of_bits(zones: [bool; 3], bits: u32) -> Self {
+        Self { zones, remainders: [true, bits > 1, bits > 0, bits > 1] }
+    }
+}
+
 /// One counted cell, for the manifest.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -64,16 +83,16 @@ impl Coverage {
         }
     }
 
-    /// The cells with rows, and the names of those without.
-    pub fn report(&self) -> (Vec<Cell>, Vec<String>) {
+    /// The cells with rows, and the names of those without that the shape has.
+    pub fn report(&self, shape: Shape) -> (Vec<Cell>, Vec<String>) {
         let (mut hits, mut holes) = (Vec::new(), Vec::new());
         for (octant, zones) in OCTANTS.iter().zip(&self.cells) {
-            for (zone, remainders) in ZONES.iter().zip(zones) {
-                for (remainder, &rows) in REMAINDERS.iter().zip(remainders) {
+            for (z, (zone, remainders)) in ZONES.iter().zip(zones).enumerate() {
+                for (r, (remainder, &rows)) in REMAINDERS.iter().zip(remainders).enumerate() {
                     let cell = format!("{octant}.{zone}.{remainder}");
                     if rows > 0 {
                         hits.push(Cell { cell, rows });
-                    } else {
+                    } else if shape.zones[z] && shape.remainders[r] {
                         holes.push(cell);
                     }
                 }

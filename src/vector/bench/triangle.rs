@@ -1,7 +1,7 @@
 //! The `setup` bench (vertices in, words out) and the `triangle` bench (words in; spans, depths
 //! and events out).
 
-use super::{Bench, Coverage, FileSpec, Group, Source, TestAt};
+use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::bits::Event;
 use crate::case::Words;
 use crate::case::triangle::{self, Directed, Stimulus};
@@ -353,6 +353,18 @@ impl Bench for TriangleBench {
         let [cfg, exp] = &self.files[..] else { return None };
         let columns = cfg.columns.iter().chain(&exp.columns).cloned().collect();
         Some(FileSpec { stem: self.name().to_owned(), columns })
+    }
+
+    fn shape(&self) -> Shape {
+        let Some(depth) = self.model.depth() else {
+            return Shape { zones: [false; 3], remainders: [false; 4] };
+        };
+        if self.draws {
+            let read = depth.read_out();
+            Shape::of_bits([true, read.clamps(), read.clamps()], read.fraction())
+        } else {
+            Shape::ALL
+        }
     }
 
     fn describe(&self, at: TestAt) -> String {

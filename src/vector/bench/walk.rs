@@ -1,6 +1,6 @@
 //! The `dda` and `edge` benches: a planar DDA with its read-out, and an edge stepper.
 
-use super::{Bench, Coverage, FileSpec, Group, Source, TestAt};
+use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::bits::Lane;
 use crate::case::Words;
 use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
@@ -298,11 +298,12 @@ impl WalkBench {
                 WalkKind::Edge => 2 * usize::from(out == 0),
                 WalkKind::Depth => self.read.zone(walker.pattern().cast_signed()),
             };
-            coverage.note(
-                octant,
-                zone,
-                Coverage::remainder(walker.pattern(), self.read.fraction()),
-            );
+            let remainder = match self.kind {
+                WalkKind::Depth => Coverage::remainder(walker.pattern(), self.read.fraction()),
+                // On the edge: the word itself, or the one below it that the bias makes.
+                WalkKind::Edge => 2 * usize::from(matches!(signed(acc, self.width), -1 | 0)),
+            };
+            coverage.note(octant, zone, remainder);
             table.push(&[op as i128, acc, i128::from(out)]);
         }
     }
@@ -409,6 +410,27 @@ impl Bench for WalkBench {
             Column::new("flags", 4, false, 0, flags),
         ];
         Some(FileSpec { stem: self.name().to_owned(), columns })
+    }
+
+    fn shape(&self) -> Shape {
+        match self.kind {
+            // An edge word is inside or outside, and on the edge (0 or, biased, -1) or not.
+            WalkKind::Edge => {
+                Shape { zones: [true, false, true], remainders: [true, false, true, false] }
+            }
+            WalkKind::Depth => {
+                let outside = self.read.clamps() && self.read.width() > 1 + self.read.fraction();
+                // Without guard bits nothing can be told to lie outside the range, except by sign.
+                let signed = self.read.clamp() == Clamp::Sign;
+                let above = outside
+                    && self.read.guard() > u32::from(signed)
+                    && self.read.clamp() != Clamp::Saturate;
+                let below = outside
+                    && (self.read.guard() > 0 || signed)
+                    && self.read.clamp() != Clamp::Saturate;
+                Shape::of_bits([true, above, below], self.read.fraction())
+            }
+        }
     }
 
     fn describe(&self, at: TestAt) -> String {
