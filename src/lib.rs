@@ -1,4 +1,43 @@
-//! guardbit
+//! Bit-exact fixed-point reference model for triangle rasterization hardware.
+//!
+//! A [`profile::Profile`] says everything a rasterizer decides: bits, rounding, overflow, fill
+//! rule. A [`scene::Scene`] says what is drawn. Nothing else decides a bit: the same profile and
+//! scene give the same bytes on any machine, with any number of threads.
+//!
+//! ```
+//! use guardbit::{model::{Drawing, Model}, profile, scene};
+//! let model = Model::new(&profile::load("sgi-4k")?)?;
+//! // Two pixels on a side, in sub-pixels of 1/1024; depths in codes.
+//! let xy = [[0, 0], [2048, 0], [0, 2048]];
+//! let triangle = model.snap(&scene::Triangle::Lattice { xy, z: Some([0, 40, 80]) })?;
+//! let mut drawing = Drawing::default();
+//! model.draw(&triangle, &mut drawing)?;
+//! // The centre of pixel (0, 0) lies a quarter along both edges: 0 + 10 + 20. The centres of
+//! // (1, 0) and (0, 1) lie on the long edge, which faces right and owns nothing.
+//! assert_eq!((drawing.samples(), drawing.depth[0]), (1, 30));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The rooms, ground floor first; each imports only from those before it:
+//!
+//! 1. [`bits`]: words, rounding, numeric events, hexadecimal text
+//! 2. [`format`]: Q-formats, the guard clamp, budgets, conversions from and to the `fixed` crate
+//! 3. [`exact`]: rationals and big integers, the truth that the rest is held against
+//! 4. [`dda`]: accumulators and slopes, in closed form, as kernels, and their plain twins
+//! 5. [`setup`]: snapping, exact edges, planes, division
+//! 6. [`cover`]: fill rules, samples, edge words, runs
+//! 7. [`value`]: the depth plane
+//! 8. [`machine`]: rasterizers; set-up is a toolbox to them
+//! 9. [`profile`]: those configurations composed, as TOML
+//! 10. [`scene`]: triangles, meshes, a camera, built-in scenes
+//! 11. [`model`]: a profile made ready; the door for everything below
+//! 12. [`case`]: stimulus by kind, keyed by seed, class and index
+//! 13. [`measure`]: error, speed, budgets
+//! 14. [`vector`]: golden sets, verify, diagnosis
+//! 15. [`explore`]: the known facts, recomputed
+//!
+//! The specification in `spec/` is normative; documentation cites its clauses as `G-2`.
+
 pub mod bits;
 pub mod case;
 pub mod cover;

@@ -326,10 +326,7 @@ fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
             guard: depth.guard,
             integer: depth.integer,
             fraction: depth.interpolation,
-            // A device has no way to refuse: outside the guard range it decodes as the guard does.
-            mode: if depth.clamp == Clamp::Error { Clamp::Guard } else { depth.clamp }
-                .name()
-                .to_owned(),
+            mode: depth.clamp.name().to_owned(),
         },
         (None, Form::EdgeFunction(_) | Form::EdgeWalk(_)) => ClampParameters {
             guard: 0,
