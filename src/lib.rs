@@ -21,7 +21,7 @@
 //! The rooms, ground floor first; each imports only from those before it:
 //!
 //! 1. [`bits`]: words, rounding, numeric events, hexadecimal text
-//! 2. [`format`]: Q-formats, the guard clamp, budgets, conversions from and to the `fixed` crate
+//! 2. [`mod@format`]: Q-formats, the guard clamp, budgets, conversions from and to the `fixed` crate
 //! 3. [`exact`]: rationals and big integers, the truth that the rest is held against
 //! 4. [`dda`]: accumulators and slopes, in closed form, as kernels, and their plain twins
 //! 5. [`setup`]: snapping, exact edges, planes, division
