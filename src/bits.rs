@@ -5,6 +5,7 @@
 
 mod event;
 mod lane;
+mod overflow;
 mod round;
 mod status;
 mod text;
@@ -12,6 +13,7 @@ mod word;
 
 pub use event::{EventLog, Events, Extent, Place, SpanEvents};
 pub use lane::Lane;
+pub use overflow::{Overflow, OverflowError};
 pub use round::{Rounding, RoundingNames};
 pub use status::{Event, Status};
 pub use text::{hex, push_hex, push_hex_narrow};
