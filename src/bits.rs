@@ -16,5 +16,5 @@ pub use lane::Lane;
 pub use overflow::{Overflow, OverflowError};
 pub use round::{Rounding, RoundingNames};
 pub use status::{Event, Status};
-pub use text::{hex, push_hex, push_hex_narrow};
+pub use text::{hex, hex_digits, push_hex, push_hex_narrow};
 pub use word::{Bits, RunTime, Width, WidthError, Word};

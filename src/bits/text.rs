@@ -22,16 +22,21 @@ pub fn push_hex(out: &mut Vec<u8>, bits: u128, digits: usize) {
 }
 
 /// Appends `digits` (1 to 16) hexadecimal digits of a word of up to 64 bits.
+#[inline]
+pub fn push_hex_narrow(out: &mut Vec<u8>, bits: u64, digits: usize) {
+    debug_assert!((1..=16).contains(&digits));
+    out.extend_from_slice(&hex_digits(bits)[16 - digits..]);
+}
+
+/// All sixteen hexadecimal digits of a word, most significant first.
 ///
 /// Nibbles are spread to bytes eight at a time in plain integer arithmetic: vector files are
 /// written tens of millions of rows a second.
 #[inline]
-pub fn push_hex_narrow(out: &mut Vec<u8>, bits: u64, digits: usize) {
-    debug_assert!((1..=16).contains(&digits));
-    let mut text = [0; 16];
-    text[..8].copy_from_slice(&spread(bits >> 32).to_be_bytes());
-    text[8..].copy_from_slice(&spread(bits & 0xffff_ffff).to_be_bytes());
-    out.extend_from_slice(&text[16 - digits..]);
+pub fn hex_digits(bits: u64) -> [u8; 16] {
+    let high = u128::from(spread(bits >> 32));
+    let low = u128::from(spread(bits & 0xffff_ffff));
+    (high << 64 | low).to_be_bytes()
 }
 
 /// Eight nibbles of a 32-bit value as eight ASCII digits, most significant first in the word.

@@ -1,6 +1,6 @@
 //! Rows of fixed-width words as text or bytes. Spec clauses `N-1` and `N-7`.
 
-use crate::bits::{push_hex, push_hex_narrow};
+use crate::bits::{hex_digits, push_hex};
 use crate::format::Column;
 use std::fmt::Write as _;
 
@@ -32,6 +32,9 @@ impl RowFormat {
         }
     }
 }
+
+/// Bytes of the longest row of narrow words.
+const ROW: usize = 3 * 17;
 
 /// A growing table of rows in one format.
 #[derive(Clone, Debug)]
@@ -79,17 +82,26 @@ impl Table {
     /// Appends a row of words of at most 64 bits, already masked: the quick way.
     #[inline]
     pub fn push_narrow<const N: usize>(&mut self, words: [u64; N]) {
+        const { assert!(17 * N <= ROW, "a row of narrow words fits its buffer") };
         if self.format != RowFormat::Tv {
             self.rows += 1;
             self.push_other(&words.map(i128::from));
             return;
         }
         self.rows += 1;
+        // Whole 16-digit words at advancing places, each overwriting the last one's excess: fixed
+        // copies, and one of variable length a row.
+        let mut row = [0; ROW];
+        let mut at = 0;
         for (word, digits) in words.iter().zip(&self.digits) {
-            push_hex_narrow(&mut self.buffer, *word, *digits);
-            self.buffer.push(b'_');
+            let text = hex_digits(word << (64 - 4 * digits));
+            row[at..at + 16].copy_from_slice(&text);
+            at += digits;
+            row[at] = b'_';
+            at += 1;
         }
-        self.end_line();
+        row[at - 1] = b'\n';
+        self.buffer.extend_from_slice(&row[..at]);
     }
 
     #[inline]

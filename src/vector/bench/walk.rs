@@ -66,6 +66,15 @@ const QUIRKS: [(Quirk, &str, &str); 8] = [
     (Quirk::Inverted, "the clamp goes to the wrong end", "inside and outside are exchanged"),
 ];
 
+/// A body on `i64` lanes.
+#[derive(Clone, Copy, Debug)]
+enum Fast {
+    /// A read-out that keeps the whole accumulator.
+    Depth(Decode<i64>),
+    /// An edge word.
+    Edge,
+}
+
 /// Tests of a stepper.
 #[derive(Clone, Debug)]
 pub struct WalkBench {
@@ -75,8 +84,8 @@ pub struct WalkBench {
     /// How the device under this hypothesis reads out; for edges only its width counts.
     read: ReadOut,
     quirk: Quirk,
-    /// Lane decoding, where the read-out has one and it keeps the whole accumulator.
-    fast: Option<Decode<i64>>,
+    /// The quick body, if the word fits a lane and the device is as specified.
+    fast: Option<Fast>,
     directed: Arc<Vec<Directed>>,
     scene: Arc<Vec<Triangle>>,
     profile: Profile,
@@ -128,7 +137,7 @@ impl WalkBench {
             width,
             read,
             quirk: Quirk::None,
-            fast: Self::fast_decode(kind, read),
+            fast: Self::fast(kind, read),
             directed: Arc::new(directed),
             scene: Arc::new(scene),
             profile: profile.clone(),
@@ -152,10 +161,12 @@ impl WalkBench {
         }
     }
 
-    fn fast_decode(kind: WalkKind, read: ReadOut) -> Option<Decode<i64>> {
-        let whole =
-            kind == WalkKind::Depth && !matches!(read.clamp(), Clamp::Wrap | Clamp::Saturate);
-        read.decode().filter(|_| whole)
+    fn fast(kind: WalkKind, read: ReadOut) -> Option<Fast> {
+        match kind {
+            WalkKind::Edge => (read.width() <= 64).then_some(Fast::Edge),
+            WalkKind::Depth if matches!(read.clamp(), Clamp::Wrap | Clamp::Saturate) => None,
+            WalkKind::Depth => read.decode().map(Fast::Depth),
+        }
     }
 
     fn file_specs(kind: WalkKind, width: u32, read: ReadOut) -> Vec<FileSpec> {
@@ -235,8 +246,8 @@ impl WalkBench {
         Walk { init, dx, dy, pattern, rows: SCENE_ROWS }
     }
 
-    /// The quick body: lane words, guard-like clamps, no quirk.
-    fn emit_fast(
+    /// The quick body of a depth walk: lane words, clamps by threshold.
+    fn emit_depth(
         &self,
         walk: &Walk,
         rows: u32,
@@ -268,6 +279,27 @@ impl WalkBench {
             let zone = usize::from(biased > high) + 2 * usize::from(biased < low);
             coverage.note(octant, zone, remainder);
             table.push_narrow([op as u64, pattern, decode.read(biased).cast_unsigned()]);
+        }
+    }
+
+    /// The quick body of an edge walk.
+    fn emit_edge(&self, walk: &Walk, rows: u32, table: &mut Table, coverage: &mut Coverage) {
+        let unused = 64 - self.width;
+        let [init, dx, dy] = [walk.init, walk.dx, walk.dy].map(|v| i64::justify(v, self.width));
+        let octant = Coverage::octant(dx.value(self.width), dy.value(self.width));
+        let (mut word, minus_one) = (init, i64::justify(-1, self.width));
+        for n in 0..rows {
+            let op = walk.op(n);
+            word = match op {
+                Op::Load => init,
+                Op::StepX => word.wrapping_add(dx),
+                Op::StepY => word.wrapping_add(dy),
+                Op::Hold => word,
+            };
+            let outside = usize::from(word < 0);
+            coverage.note(octant, 2 * outside, 2 * usize::from(word == 0 || word == minus_one));
+            let pattern = word.cast_unsigned() >> unused;
+            table.push_narrow([op as u64, pattern, 1 - outside as u64]);
         }
     }
 
@@ -393,7 +425,8 @@ impl Bench for WalkBench {
         let [cfg, exp] = tables else { return };
         cfg.push(&[walk.init, walk.dx, walk.dy]);
         match &self.fast {
-            Some(decode) => self.emit_fast(&walk, rows, decode, exp, coverage),
+            Some(Fast::Depth(decode)) => self.emit_depth(&walk, rows, decode, exp, coverage),
+            Some(Fast::Edge) => self.emit_edge(&walk, rows, exp, coverage),
             None => self.emit_plain(&walk, rows, exp, coverage),
         }
     }
