@@ -202,6 +202,10 @@ fn write_failure(out: &Path, error: &std::io::Error) -> Failure {
             Failure::input(format!("{} exists and is not empty", out.display()))
                 .hint("choose another --out, or replace it with --force")
         }
+        ErrorKind::DirectoryNotEmpty => {
+            let message = "holds no vector set, and --force replaces nothing else";
+            Failure::input(format!("{} {message}", out.display())).hint("choose another --out")
+        }
         ErrorKind::Interrupted => Failure::interrupted("interrupted: nothing was left behind"),
         _ => Failure::io(&out.display().to_string(), error),
     }

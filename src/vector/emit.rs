@@ -50,6 +50,12 @@ pub fn emit(
     let specs = files(bench, format);
     let mut tables: Vec<Table> =
         specs.iter().map(|spec| Table::new(format, &spec.columns)).collect();
+    if shard.index > 0 {
+        // A header belongs to the first part only: the parts joined are the file.
+        for table in &mut tables {
+            table.buffer.clear();
+        }
+    }
     let mut emitted = Emitted { groups: vec![(0, 0); bench.groups().len()], ..Emitted::default() };
     // Configuration files come first; the first expectation file counts the rows of a group.
     let counted = usize::from(tables.len() > 1);

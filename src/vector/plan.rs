@@ -43,7 +43,7 @@ pub fn find_test(bench: &dyn Bench, id: &str) -> Option<TestAt> {
     // Random tests exist beyond the set's own share of them.
     let open_ended = tag == crate::case::walk::RANDOM.tag;
     let exists = open_ended || index < bench.groups()[group].tests;
-    exists.then_some(TestAt { group, index, test: before + index })
+    exists.then_some(TestAt { group, index, test: before.saturating_add(index) })
 }
 
 /// The tests of a part, in order, with the rows each may give.

@@ -105,7 +105,7 @@ impl SetIndex {
 ///
 /// # Errors
 /// Whatever the file system answers; `AlreadyExists` when `out` is there and `force` is not;
-/// `Interrupted` when the monitor cancelled. Nothing is left behind in either case.
+/// `DirectoryNotEmpty` when it is there, `force` is, and it is no set to replace; `Interrupted` when the monitor cancelled. Nothing is left behind in either case.
 pub fn write(
     requests: &[SetRequest],
     out: &Path,
@@ -113,8 +113,14 @@ pub fn write(
     options: &Options,
     monitor: &Monitor,
 ) -> Result<Vec<Manifest>> {
-    if !options.force && is_occupied(out) {
-        return Err(Error::from(ErrorKind::AlreadyExists));
+    if is_occupied(out) {
+        if !options.force {
+            return Err(Error::from(ErrorKind::AlreadyExists));
+        }
+        // Replacing deletes: only what a run of this command left there.
+        if ![manifest::NAME, INDEX].iter().any(|name| out.join(name).is_file()) {
+            return Err(Error::from(ErrorKind::DirectoryNotEmpty));
+        }
     }
     let aside = aside(out);
     let result = build(requests, &aside, nested, options, monitor).and_then(|manifests| {
