@@ -1,6 +1,7 @@
 //! The specification as a test: its console examples run, its clauses are cited, its citations
 //! exist. The Rust examples run as documentation tests (`mod spec` in `src/lib.rs`).
 #![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write as _;
