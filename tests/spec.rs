@@ -54,13 +54,12 @@ fn read_spec() -> (Vec<Clause>, Vec<Block>) {
             let place = format!("spec/{name}:{}", n + 1);
             assert!(!line.starts_with("    ") || open.is_some(), "{place}: an indented code block");
             if let Some(fence) = line.strip_prefix("```") {
-                match open.take() {
-                    Some(block) => blocks.push(block),
-                    None => {
-                        let clause = clauses[first..].last().map(|clause| clause.id.clone());
-                        let kind = fence.to_owned();
-                        open = Some(Block { place, kind, clause, text: String::new() });
-                    }
+                if let Some(block) = open.take() {
+                    blocks.push(block);
+                } else {
+                    let clause = clauses[first..].last().map(|clause| clause.id.clone());
+                    let kind = fence.to_owned();
+                    open = Some(Block { place, kind, clause, text: String::new() });
                 }
             } else if let Some(block) = &mut open {
                 block.text += line;

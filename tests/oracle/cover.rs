@@ -17,7 +17,7 @@ fn nudged(p: [i128; 2], rule: FillRule) -> [i128; 2] {
 }
 
 /// Whether a triangle of either winding covers the sample. Coordinates stay below 2^28.
-pub fn covers(v: [[i128; 2]; 3], sample: [i128; 2], rule: FillRule) -> bool {
+pub(crate) fn covers(v: [[i128; 2]; 3], sample: [i128; 2], rule: FillRule) -> bool {
     let q = nudged(sample, rule);
     let side = |a: [i128; 2], b: [i128; 2]| {
         let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
@@ -29,7 +29,7 @@ pub fn covers(v: [[i128; 2]; 3], sample: [i128; 2], rule: FillRule) -> bool {
 
 /// Whether a simple polygon holds the sample, by counting the edges right of it.
 #[allow(dead_code, reason = "not every test that shares this file has polygons")]
-pub fn polygon_covers(corners: &[[i128; 2]], sample: [i128; 2], rule: FillRule) -> bool {
+pub(crate) fn polygon_covers(corners: &[[i128; 2]], sample: [i128; 2], rule: FillRule) -> bool {
     let q = nudged(sample, rule);
     let mut crossings = 0;
     for (n, a) in corners.iter().enumerate() {

@@ -8,12 +8,12 @@ use num_bigint::BigInt;
 use num_integer::Integer;
 use proptest::prelude::*;
 
-pub fn clamps() -> impl Strategy<Value = Clamp> {
+pub(crate) fn clamps() -> impl Strategy<Value = Clamp> {
     prop::sample::select(&Clamp::ALL[..])
 }
 
 /// Read-outs, small ones above all.
-pub fn read_outs() -> impl Strategy<Value = ReadOut> {
+pub(crate) fn read_outs() -> impl Strategy<Value = ReadOut> {
     let small = (0..=4u32, 1..=4u32, 0..=4u32);
     let bits = |most: u32| prop_oneof![Just(0), 0..=most];
     let integer = prop_oneof![1..=64u32, prop::sample::select(&[31, 32, 33, 63, 64][..])];
@@ -23,7 +23,7 @@ pub fn read_outs() -> impl Strategy<Value = ReadOut> {
 }
 
 /// Accumulators about every boundary of a read-out, and anywhere.
-pub fn accumulators(read: ReadOut) -> impl Strategy<Value = i128> {
+pub(crate) fn accumulators(read: ReadOut) -> impl Strategy<Value = i128> {
     let width = read.width();
     let marks: Vec<i128> = vec![
         0,
@@ -43,7 +43,7 @@ pub fn accumulators(read: ReadOut) -> impl Strategy<Value = i128> {
 }
 
 /// The result by the lecture's table, in unsigned patterns and big integers.
-pub fn by_pattern(read: ReadOut, accumulator: i128) -> BigInt {
+pub(crate) fn by_pattern(read: ReadOut, accumulator: i128) -> BigInt {
     let one = BigInt::from(1);
     let (g, i, f) = (read.guard(), read.integer(), read.fraction());
     let maximum = (&one << i) - 1;
@@ -71,7 +71,7 @@ pub fn by_pattern(read: ReadOut, accumulator: i128) -> BigInt {
 }
 
 /// The events of one sample, from the texts of the clauses.
-pub fn by_definition(read: ReadOut, unwrapped: i128) -> [bool; 4] {
+pub(crate) fn by_definition(read: ReadOut, unwrapped: i128) -> [bool; 4] {
     let one = BigInt::from(1);
     let u = BigInt::from(unwrapped);
     let (n, i, f) = (read.width(), read.integer(), read.fraction());

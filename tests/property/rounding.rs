@@ -8,7 +8,7 @@ use num_integer::Integer;
 use proptest::prelude::*;
 
 /// The rounding of n / d by its definition: of the two neighbours, the one that the mode prefers.
-pub fn round(mode: Rounding, n: &BigInt, d: &BigInt) -> BigInt {
+pub(crate) fn round(mode: Rounding, n: &BigInt, d: &BigInt) -> BigInt {
     // Distances to the neighbours, in units of 1 / |d|.
     let (n, d) = if d.sign() == Sign::Minus { (-n, -d) } else { (n.clone(), d.clone()) };
     let floor = n.div_floor(&d);
@@ -46,7 +46,7 @@ pub fn round(mode: Rounding, n: &BigInt, d: &BigInt) -> BigInt {
     }
 }
 
-pub fn roundings() -> impl Strategy<Value = Rounding> {
+pub(crate) fn roundings() -> impl Strategy<Value = Rounding> {
     prop::sample::select(&Rounding::ALL[..])
 }
 

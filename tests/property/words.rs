@@ -28,7 +28,7 @@ fn widths() -> impl Strategy<Value = u32> {
 }
 
 /// Integers of every magnitude.
-pub fn wide() -> impl Strategy<Value = i128> {
+pub(crate) fn wide() -> impl Strategy<Value = i128> {
     (any::<i128>(), 0..128u32).prop_map(|(value, shift)| value >> shift)
 }
 
