@@ -51,6 +51,22 @@ fn the_narrowest_and_the_widest_word() {
     assert!(QFormat::new(u32::MAX, 1).is_err());
 }
 
+// Clauses
+#[test]
+fn shifts_about_the_width_of_the_lane() {
+    use Rounding::{AwayFromZero, NearestAway, NearestDown, NearestEven, NearestUp, Odd};
+    let lowest = |mode: Rounding, shift| mode.shift_right(i128::MIN, shift).0;
+    // -2^127 / 2^128 is -1/2, a tie; one bit more is -1/4, one bit less is -1.
+    let modes = [NearestEven, NearestUp, NearestDown, NearestAway, AwayFromZero, Odd];
+    assert_eq!(modes.map(|mode| lowest(mode, 127)), [-1; 6]);
+    assert_eq!(modes.map(|mode| lowest(mode, 128)), [0, 0, -1, -1, -1, -1]);
+    assert_eq!(modes.map(|mode| lowest(mode, 129)), [0, 0, 0, 0, -1, -1]);
+    // The largest value stays below a half.
+    let largest = |mode: Rounding| mode.shift_right(i128::MAX, 128);
+    assert_eq!(modes.map(largest), [0, 0, 0, 0, 1, 1].map(|value| (value, true)));
+    assert_eq!(Rounding::Floor.shift_right(0, u32::MAX), (0, false));
+}
+
 // Clause G-1
 #[test]
 fn the_smallest_and_the_largest_read_out() {
