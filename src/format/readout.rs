@@ -230,7 +230,8 @@ impl ReadOut {
             Clamp::Guard | Clamp::Error => (self.width(), self.top() >> 1),
             Clamp::Sign => (self.width(), 0),
         };
-        if width > L::BITS {
+        // A result of all 32 bits would widen to 64 with its top bit as a sign.
+        if width > L::BITS || (self.integer >= L::BITS && L::BITS < u64::BITS) {
             return None;
         }
         let half = 1i128 << (width - 1);

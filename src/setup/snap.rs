@@ -213,6 +213,9 @@ where
         Some(rounding.shift_right(bits, from - fraction).0)
     } else {
         let up = fraction - from;
+        if bits == 0 {
+            return Some(0);
+        }
         let scaled = bits.checked_shl(up)?;
         (scaled >> up == bits).then_some(scaled)
     }
