@@ -1,18 +1,22 @@
 //! The `setup` bench (vertices in, words out) and the `triangle` bench (words in; spans, depths
 //! and events out).
 
+mod quirk;
+mod word;
+
 use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::bits::Event;
 use crate::case::Words;
 use crate::case::triangle::{self, Directed, Stimulus};
-use crate::cover::Rect;
-use crate::format::Column;
-use crate::model::{Drawing, Model, Span, View};
+use crate::model::{Drawing, Model, Span};
 use crate::profile::neighbours;
 use crate::setup::{Gradient, Triangle};
 use crate::vector::table::Table;
 use std::fmt::Write as _;
 use std::sync::Arc;
+
+use quirk::{QUIRKS, Quirk};
+use word::{bounds, file_specs, input_words, ready, samples, scattered, setup_words};
 
 /// Walk rows per random or scene test of the set-up bench.
 const ROWS_PER_SETUP: u64 = 64;
@@ -22,23 +26,6 @@ const ROWS_PER_TRIANGLE: u64 = 512;
 const LARGEST: i128 = 1024;
 /// Extent of a random triangle of that bench, in pixels.
 const REACH: i128 = 16;
-
-/// A defect that no profile describes, applied to what was drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Quirk {
-    None,
-    RightEndIncluded,
-    LeftEndExcluded,
-    RowsLate,
-    NoSwap,
-}
-
-const QUIRKS: [(Quirk, &str); 4] = [
-    (Quirk::RightEndIncluded, "spans include the pixel at their right end (off by one)"),
-    (Quirk::LeftEndExcluded, "spans leave out the pixel at their left end (off by one)"),
-    (Quirk::RowsLate, "rows are numbered one too high (off by one)"),
-    (Quirk::NoSwap, "triangles of negative area are not turned round: v1 and v2 keep their places"),
-];
 
 /// Tests of whole triangles.
 #[derive(Clone, Debug)]
@@ -220,103 +207,6 @@ impl TriangleBench {
             }
         }
     }
-}
-
-/// Scene triangle number `index`, scattered over the whole scene: a stride that shares no factor
-/// with the length visits each once a lap, whatever the size of the set.
-fn scattered(index: u64, length: usize) -> usize {
-    let length = length.max(1) as u64;
-    let stride = (length * 5 / 8..=length).find(|n| num_integer::gcd(*n, length) == 1).unwrap_or(1);
-    let place = u128::from(index) * u128::from(stride) % u128::from(length);
-    usize::try_from(place).unwrap_or(0)
-}
-
-/// The model of a valid profile; the set-up bench draws nothing.
-fn ready(profile: &crate::profile::Profile, draws: bool) -> Model {
-    let nothing = Rect { x0: 0, y0: 0, x1: 0, y1: 0 };
-    let view = View { scissor: (!draws).then_some(nothing), ..View::default() };
-    Model::with_view(profile, view).unwrap_or_else(|error| unreachable!("a valid profile: {error}"))
-}
-
-/// The bounding box of a triangle in the window: x0 y0 x1 y1, half-open.
-fn bounds(model: &Model, triangle: &Triangle) -> [u32; 4] {
-    let clip = model.clip();
-    let Ok(grid) = model.profile().grid() else { return [0; 4] };
-    let (x0, x1) = clip.clip(0, grid.pixels(0, triangle.extent(0)));
-    let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
-    [x0, y0, x1, y1]
-}
-
-fn samples(model: &Model, triangle: &Triangle) -> i128 {
-    let [x0, y0, x1, y1] = bounds(model, triangle);
-    i128::from(x1 - x0) * i128::from(y1 - y0)
-}
-
-fn input_words(triangle: &Triangle, has_depth: bool) -> Vec<i128> {
-    let z = triangle.z.unwrap_or_default();
-    let vertices = triangle.xy.iter().zip(z);
-    vertices
-        .flat_map(|([x, y], z)| [Some(*x), Some(*y), has_depth.then_some(z)])
-        .flatten()
-        .collect()
-}
-
-/// Set-up words and the zero-area flag; a degenerate triangle has zeros.
-fn setup_words(model: &Model, drawing: &Drawing) -> Vec<i128> {
-    let mut words = drawing.setup.clone();
-    words.resize(model.ports().setup.len(), 0);
-    words.push(i128::from(drawing.zero_area));
-    words
-}
-
-fn file_specs(model: &Model, draws: bool) -> Vec<FileSpec> {
-    let ports = model.ports();
-    let mut setup = ports.setup.clone();
-    setup.push(Column::new(
-        "zero_area",
-        1,
-        false,
-        0,
-        "1 when the triangle has no area and draws nothing.",
-    ));
-    let spec = |stem: &str, columns| FileSpec { stem: stem.to_owned(), columns };
-    if !draws {
-        return vec![spec("setup.cfg", ports.input.clone()), spec("setup.exp", setup)];
-    }
-    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
-    let pixel = |name, meaning| Column::new(name, 17, false, 0, meaning);
-    let count = |name, meaning| Column::new(name, 32, false, 0, meaning);
-    let mut cfg = vec![test()];
-    cfg.extend(setup);
-    cfg.extend([
-        pixel("x0", "First column of the bounding box in the window."),
-        pixel("y0", "First row of the bounding box."),
-        pixel("x1", "One past its last column."),
-        pixel("y1", "One past its last row."),
-    ]);
-    let exp = vec![
-        test(),
-        count("spans", "Maximal runs of covered samples."),
-        count("samples", "Covered samples."),
-        count("wrap", "Covered samples whose depth left the guard range."),
-        count("clamp_above", "Covered samples held at the maximum."),
-        count("clamp_below", "Covered samples held at zero."),
-        count("inexact", "Covered samples whose read-out dropped a fraction."),
-        Column::new("zero_area", 1, false, 0, "1 when the triangle has no area."),
-    ];
-    let span = vec![
-        test(),
-        pixel("y", "Row."),
-        pixel("x0", "First covered column."),
-        pixel("x1", "One past the last covered column."),
-    ];
-    let mut files =
-        vec![spec("triangle.cfg", cfg), spec("triangle.exp", exp), spec("span.exp", span)];
-    if let Some(z) = &ports.depth {
-        let columns = vec![test(), pixel("x", "Column."), pixel("y", "Row."), z.clone()];
-        files.push(spec("depth.exp", columns));
-    }
-    files
 }
 
 impl Bench for TriangleBench {

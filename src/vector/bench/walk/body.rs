@@ -1,0 +1,171 @@
+//! The rows of one walk: quick on lanes, plain for any width, clamp and slip.
+
+use super::quirk::Quirk;
+use super::{WalkBench, WalkKind};
+use crate::bits::{Event, Lane};
+use crate::case::walk::Walk;
+use crate::dda::{Op, Walker};
+use crate::format::Decode;
+use crate::vector::bench::Coverage;
+use crate::vector::table::Table;
+
+impl WalkBench {
+    /// The quick body of a depth walk: lane words, clamps by threshold.
+    pub(super) fn emit_depth(
+        &self,
+        walk: &Walk,
+        rows: u32,
+        decode: &Decode<i64>,
+        table: &mut Table,
+        coverage: &mut Coverage,
+    ) {
+        let unused = 64 - self.width;
+        let bias = i64::justify(0, self.width).wrapping_sub(decode.load(0));
+        let (init, dx, dy) = (decode.load(walk.init), decode.slope(walk.dx), decode.slope(walk.dy));
+        let octant = Coverage::octant(dx.value(self.width), dy.value(self.width));
+        let fraction = self.read.fraction();
+        let half = if fraction == 0 { u64::MAX } else { 1 << (fraction - 1) };
+        let fraction_mask = (1u64 << fraction) - 1;
+        let (low, high) = decode.thresholds();
+        let mut biased = init;
+        for n in 0..rows {
+            let op = walk.op(n);
+            biased = match op {
+                Op::Load => init,
+                Op::StepX => biased.wrapping_add(dx),
+                Op::StepY => biased.wrapping_add(dy),
+                Op::Hold => biased,
+            };
+            let pattern = biased.wrapping_add(bias).cast_unsigned() >> unused;
+            let rest = pattern & fraction_mask;
+            let remainder =
+                usize::from(rest != 0) + usize::from(rest >= half) + usize::from(rest > half);
+            let zone = usize::from(biased > high) + 2 * usize::from(biased < low);
+            coverage.note(octant, zone, remainder);
+            table.push_narrow([op as u64, pattern, decode.read(biased).cast_unsigned()]);
+        }
+    }
+
+    /// The quick body of an edge walk.
+    pub(super) fn emit_edge(
+        &self,
+        walk: &Walk,
+        rows: u32,
+        table: &mut Table,
+        coverage: &mut Coverage,
+    ) {
+        let unused = 64 - self.width;
+        let [init, dx, dy] = [walk.init, walk.dx, walk.dy].map(|v| i64::justify(v, self.width));
+        let octant = Coverage::octant(dx.value(self.width), dy.value(self.width));
+        let (mut word, minus_one) = (init, i64::justify(-1, self.width));
+        for n in 0..rows {
+            let op = walk.op(n);
+            word = match op {
+                Op::Load => init,
+                Op::StepX => word.wrapping_add(dx),
+                Op::StepY => word.wrapping_add(dy),
+                Op::Hold => word,
+            };
+            let outside = usize::from(word < 0);
+            coverage.note(octant, 2 * outside, 2 * usize::from(word == 0 || word == minus_one));
+            let pattern = word.cast_unsigned() >> unused;
+            table.push_narrow([op as u64, pattern, 1 - outside as u64]);
+        }
+    }
+
+    /// The plain body: any width, any clamp, any quirk.
+    pub(super) fn emit_plain(
+        &self,
+        walk: &Walk,
+        rows: u32,
+        table: &mut Table,
+        coverage: &mut Coverage,
+    ) {
+        let quirk = self.quirk;
+        let (dx, dy) = match quirk {
+            Quirk::Swapped => (walk.dy, walk.dx),
+            Quirk::Negated => (-walk.dx, -walk.dy),
+            Quirk::OnlyX => (walk.dx, walk.dx),
+            _ => (walk.dx, walk.dy),
+        };
+        let mut walker = Walker::new(self.read, walk.init, dx, dy);
+        let octant = Coverage::octant(signed(walk.dx, self.width), signed(walk.dy, self.width));
+        let mut before = (0, 0);
+        for n in 0..rows {
+            let op = walk.op(n);
+            let done = if quirk == Quirk::HoldSteps && op == Op::Hold { Op::StepX } else { op };
+            walker.clock(done);
+            let now = (walker.pattern().cast_signed(), self.result(&walker));
+            let (acc, out) = match quirk {
+                Quirk::Late => before,
+                Quirk::LateOut => (now.0, before.1),
+                _ => now,
+            };
+            before = now;
+            let zone = match self.kind {
+                WalkKind::Edge => 2 * usize::from(out == 0),
+                WalkKind::Depth => self.read.zone(walker.pattern().cast_signed()),
+            };
+            let remainder = match self.kind {
+                WalkKind::Depth => Coverage::remainder(walker.pattern(), self.read.fraction()),
+                // On the edge: the word itself, or the one below it that the bias makes.
+                WalkKind::Edge => 2 * usize::from(matches!(signed(acc, self.width), -1 | 0)),
+            };
+            coverage.note(octant, zone, remainder);
+            table.push(&[op as i128, acc, i128::from(out)]);
+        }
+    }
+
+    fn result(&self, walker: &Walker) -> u64 {
+        let pattern = walker.pattern();
+        match (self.kind, self.quirk) {
+            (WalkKind::Edge, quirk) => {
+                let inside = pattern >> (self.read.width() - 1) == 0;
+                match quirk {
+                    Quirk::OtherTie => u64::from(inside && pattern != 0),
+                    Quirk::Inverted => u64::from(!inside),
+                    _ => u64::from(inside),
+                }
+            }
+            (WalkKind::Depth, Quirk::OtherTie) if self.read.fraction() > 0 => {
+                self.read.read(pattern.cast_signed() + (1 << (self.read.fraction() - 1)))
+            }
+            (WalkKind::Depth, Quirk::Inverted) => match self.read.zone(pattern.cast_signed()) {
+                1 => 0,
+                2 => self.read.maximum(),
+                _ => walker.out(),
+            },
+            _ => walker.out(),
+        }
+    }
+
+    /// The same rows in operand form: before, addend, after, result, flags. Spec clause `N-7`.
+    pub(super) fn emit_operands(&self, walk: &Walk, rows: u32, table: &mut Table) {
+        let mut walker = Walker::new(self.read, walk.init, walk.dx, walk.dy);
+        for n in 0..rows {
+            let op = walk.op(n);
+            let (before, addend) = match op {
+                Op::Load => (0, walk.init),
+                Op::StepX => (walker.pattern().cast_signed(), walk.dx),
+                Op::StepY => (walker.pattern().cast_signed(), walk.dy),
+                Op::Hold => (walker.pattern().cast_signed(), 0),
+            };
+            walker.clock(op);
+            let pattern = walker.pattern().cast_signed();
+            let flags = if self.kind == WalkKind::Edge {
+                0
+            } else {
+                Event::ALL
+                    .iter()
+                    .filter(|event| self.read.status(self.read.reduce(pattern)).has(**event))
+                    .fold(0, |flags, event| flags | 1 << *event as u32)
+            };
+            table.push(&[before, addend, pattern, i128::from(self.result(&walker)), flags]);
+        }
+    }
+}
+
+/// The signed value of the low `width` bits.
+fn signed(value: i128, width: u32) -> i128 {
+    value << (128 - width) >> (128 - width)
+}

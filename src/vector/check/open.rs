@@ -1,0 +1,118 @@
+//! Opening sets: manifests and indexes, held to their canonical form.
+
+use super::{CheckError, Finding, OpenSet, io};
+use crate::model::MODEL_VERSION;
+use crate::vector::manifest::{self, Manifest};
+use crate::vector::write::{INDEX, SetIndex};
+use std::io::ErrorKind;
+use std::path::Path;
+
+/// Opens the set in a folder, or all sets of a folder of sets.
+///
+/// # Errors
+/// [`CheckError`] if there is none, or its manifest is no manifest of this model.
+pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
+    let mut findings = Vec::new();
+    let index_path = dir.join(INDEX);
+    let folders = match std::fs::read_to_string(&index_path) {
+        Ok(text) => {
+            let index: SetIndex = parse_json(&text, &index_path)?;
+            canonical(&index_path, &text, &index.to_text(), &mut findings);
+            strangers(dir, &index, &mut findings)?;
+            index.sets.into_iter().map(|set| (dir.join(&set.folder), Some(set.digest))).collect()
+        }
+        Err(error) if error.kind() == ErrorKind::NotFound => vec![(dir.to_owned(), None)],
+        Err(error) => return Err(io(&index_path)(error)),
+    };
+    let mut sets = Vec::new();
+    for (folder, digest) in folders {
+        let path = folder.join(manifest::NAME);
+        let text = match std::fs::read_to_string(&path) {
+            Ok(text) => text,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                return Err(CheckError::Unfinished(folder));
+            }
+            Err(error) => return Err(io(&path)(error)),
+        };
+        let manifest: Manifest = parse_json(&text, &path)?;
+        if manifest.model_version != MODEL_VERSION {
+            let path = path.display().to_string();
+            return Err(CheckError::OtherModel { path, found: manifest.model_version });
+        }
+        canonical(&path, &text, &manifest.to_text(), &mut findings);
+        if digest.is_some_and(|digest| digest != manifest.digest) {
+            let message = format!("is not the manifest that {INDEX} names: the digests differ");
+            findings.push(Finding { file: path.clone(), line: None, message });
+        }
+        let bad = |message: String| CheckError::Malformed {
+            path: path.display().to_string(),
+            line: 1,
+            message,
+        };
+        manifest.profile.validate().map_err(|error| bad(format!("profile: {error}")))?;
+        if manifest.shard.index >= manifest.shard.parts {
+            return Err(bad("shard: 0 <= index < parts is violated".to_owned()));
+        }
+        if let Some(file) = manifest.files.iter().find(|file| file.name.contains(['/', '\\'])) {
+            return Err(bad(format!("files: {:?} is not a plain file name", file.name)));
+        }
+        sets.push(OpenSet { folder, manifest });
+    }
+    Ok((sets, findings))
+}
+
+/// Subfolders that the index does not name: a set copied in, or left from another run.
+fn strangers(dir: &Path, index: &SetIndex, findings: &mut Vec<Finding>) -> Result<(), CheckError> {
+    let mut names: Vec<_> = std::fs::read_dir(dir)
+        .map_err(io(dir))?
+        .filter_map(Result::ok)
+        .filter(|entry| entry.path().is_dir())
+        .map(|entry| entry.file_name().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    for name in names {
+        if !index.sets.iter().any(|set| set.folder == name) {
+            let message = format!("a set that {INDEX} does not name");
+            findings.push(Finding { file: dir.join(name), line: None, message });
+        }
+    }
+    Ok(())
+}
+
+fn parse_json<T: serde::de::DeserializeOwned>(text: &str, path: &Path) -> Result<T, CheckError> {
+    serde_json::from_str(text).map_err(|error| CheckError::Malformed {
+        path: path.display().to_string(),
+        line: error.line(),
+        message: error.to_string(),
+    })
+}
+
+/// A file that must be the canonical form of what it says, digest included.
+fn canonical(path: &Path, text: &str, expected: &str, findings: &mut Vec<Finding>) {
+    if text != expected {
+        findings.push(first_difference(path, text.as_bytes(), expected.as_bytes()));
+    }
+}
+
+/// The first line in which two texts differ.
+pub(super) fn first_difference(path: &Path, found: &[u8], expected: &[u8]) -> Finding {
+    let mut theirs = found.split_inclusive(|byte| *byte == b'\n');
+    let mut ours = expected.split_inclusive(|byte| *byte == b'\n');
+    let mut line = 1;
+    let message = loop {
+        match (theirs.next(), ours.next()) {
+            (Some(a), Some(b)) if a == b => line += 1,
+            (Some(a), Some(b)) => break format!("is {} where {} belongs", shown(a), shown(b)),
+            (Some(a), None) => break format!("{} is too much", shown(a)),
+            (None, Some(b)) => break format!("ends where {} belongs", shown(b)),
+            (None, None) => break "differs".to_owned(),
+        }
+    };
+    Finding { file: path.to_owned(), line: Some(line), message }
+}
+
+/// A line for a message: escaped, and not too long.
+pub(super) fn shown(line: &[u8]) -> String {
+    let text: String = String::from_utf8_lossy(line).chars().take(100).collect();
+    format!("{text:?}")
+}

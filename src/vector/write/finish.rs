@@ -1,0 +1,147 @@
+//! The last of a set: scene, profile, packages, benches, and the manifest.
+
+use super::{Options, Part, SetRequest, file_name};
+use crate::format::Clamp;
+use crate::model::MODEL_VERSION;
+use crate::profile::{Form, Profile};
+use crate::scene::{self, lines};
+use crate::setup::Triangle;
+use crate::vector::bench::Bench;
+use crate::vector::manifest::{
+    self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, sha256,
+};
+use crate::vector::package::{self, ClampParameters, FileLayout, Interface};
+use crate::vector::table::RowFormat;
+use std::fs::File;
+use std::io::{Error, Result, Write};
+use std::path::Path;
+
+/// The scene file: triangles on the profile's grid, in `eval`'s form.
+pub fn scene_text(scene: &[Triangle]) -> String {
+    let mut text = String::new();
+    for (id, triangle) in scene.iter().enumerate() {
+        let lattice = scene::Triangle::Lattice { xy: triangle.xy, z: triangle.z };
+        text.push_str(&lines::to_line(id as u64, &lattice));
+        text.push('\n');
+    }
+    text
+}
+
+/// The files of a set that are not vectors, in order.
+pub fn companions(
+    set: &str,
+    profile: &Profile,
+    scene: &[Triangle],
+    vector_files: &[FileEntry],
+    format: RowFormat,
+    zstd: bool,
+) -> Vec<(String, String)> {
+    let mut list = vec![
+        ("profile.toml".to_owned(), profile.to_toml()),
+        ("scene.jsonl".to_owned(), scene_text(scene)),
+    ];
+    // The benches read the golden form only.
+    if format == RowFormat::Tv && !zstd {
+        list.extend(package::files(&interface(set, profile, vector_files)));
+    }
+    list
+}
+
+fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
+    let clamp = match (profile.depth, profile.form) {
+        (Some(depth), _) => ClampParameters {
+            guard: depth.guard,
+            integer: depth.integer,
+            fraction: depth.interpolation,
+            mode: depth.clamp.name().to_owned(),
+        },
+        (None, Form::EdgeFunction(_) | Form::EdgeWalk(_)) => ClampParameters {
+            guard: 0,
+            integer: 1,
+            fraction: 0,
+            mode: Clamp::Wrap.name().to_owned(),
+        },
+    };
+    let files = files
+        .iter()
+        .map(|file| FileLayout {
+            name: file.name.clone(),
+            rows: file.rows,
+            columns: file.columns.clone(),
+        })
+        .collect();
+    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, files }
+}
+
+pub(super) fn finish(
+    request: &SetRequest,
+    folder: &Path,
+    benches: &[Box<dyn Bench>],
+    parts: Vec<Part>,
+    options: &Options,
+) -> Result<Manifest> {
+    let (mut entries, mut groups, mut coverage) = (Vec::new(), Vec::new(), Vec::new());
+    for (bench, (files, emitted)) in benches.iter().zip(parts) {
+        entries.extend(files);
+        let counted =
+            bench.groups().iter().zip(&emitted.groups).filter(|(_, (tests, _))| *tests > 0);
+        groups.extend(counted.map(|(group, &(tests, rows))| GroupEntry {
+            bench: bench.name().to_owned(),
+            tag: group.class.tag.to_owned(),
+            catches: group.class.catches.to_owned(),
+            tests,
+            rows,
+        }));
+        let (cells, holes) = emitted.coverage.report(bench.shape());
+        coverage.push(CoverageEntry { bench: bench.name().to_owned(), cells, holes });
+    }
+    let companions = companions(
+        &request.name,
+        &request.profile,
+        &request.scene,
+        &entries,
+        options.format,
+        options.zstd,
+    );
+    let mut scene_digest = String::new();
+    for (name, text) in companions {
+        let entry = FileEntry {
+            rows: text.lines().count() as u64,
+            bytes: text.len() as u64,
+            sha256: sha256(text.as_bytes()),
+            columns: Vec::new(),
+            name,
+        };
+        if entry.name == "scene.jsonl" {
+            scene_digest.clone_from(&entry.sha256);
+        }
+        std::fs::write(folder.join(&entry.name), text)?;
+        entries.push(entry);
+    }
+    let manifest = Manifest {
+        schema: manifest::SCHEMA,
+        model_version: MODEL_VERSION,
+        set: request.name.clone(),
+        profile: request.profile.clone(),
+        scene: SceneEntry {
+            name: request.scene_name.clone(),
+            triangles: request.scene.len() as u64,
+            refused: request.refused,
+            sha256: scene_digest,
+        },
+        seed: options.seed,
+        count: options.count,
+        format: file_name("", options.format, options.zstd).trim_start_matches('.').to_owned(),
+        shard: ShardEntry { index: options.shard.index, parts: options.shard.parts },
+        files: entries,
+        groups,
+        coverage,
+        digest: String::new(),
+    };
+    let text = manifest.to_text();
+    // Written last: a folder without it is an unfinished set.
+    let mut file = File::create_new(folder.join(manifest::NAME))?;
+    file.write_all(text.as_bytes())?;
+    file.sync_all()?;
+    serde_json::from_str(&text).map_err(Error::other)
+}
