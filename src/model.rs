@@ -172,6 +172,6 @@ fn in_depth(vertex: usize, value: i128, (low, high): (i128, i128)) -> Result<i12
     if (low..=high).contains(&value) {
         Ok(value)
     } else {
-        Err(VertexError::Outside { vertex, axis: 2, value, low, high })
+        Err(VertexError::Outside { form: 'v', vertex, axis: 2, value, low, high })
     }
 }

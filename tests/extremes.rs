@@ -261,7 +261,7 @@ fn vertices_outside_name_their_field() {
         let mut xy = xy;
         xy[vertex][axis] = value;
         let error = sgi.snap(&lattice(xy, None)).unwrap_err();
-        let expected = VertexError::Outside { vertex, axis, value, low: 0, high: end };
+        let expected = VertexError::Outside { form: 'v', vertex, axis, value, low: 0, high: end };
         assert_eq!(error, PrimitiveError::Vertex(expected));
         assert_eq!(
             error.to_string(),
@@ -272,7 +272,7 @@ fn vertices_outside_name_their_field() {
         let mut z = [0; 3];
         z[vertex] = value;
         let (low, high) = (0, (1 << 24) - 1);
-        let expected = VertexError::Outside { vertex, axis: 2, value, low, high };
+        let expected = VertexError::Outside { form: 'v', vertex, axis: 2, value, low, high };
         assert_eq!(sgi.snap(&lattice(xy, Some(z))), Err(PrimitiveError::Vertex(expected)));
     }
     // A half-open field: its upper end is outside.

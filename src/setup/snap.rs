@@ -61,8 +61,12 @@ pub enum VertexError {
     #[error("integer = 0 in a signed vertex field: the sign needs one integer bit")]
     NoSign,
     /// A coordinate lies outside the field.
-    #[error("v[{vertex}][{axis}] = {value} is outside the vertex field: {low} <= v <= {high}")]
+    #[error(
+        "{form}[{vertex}][{axis}]: {value} is outside the vertex field: {low} <= {value} <= {high} is violated"
+    )]
     Outside {
+        /// `v` for a lattice coordinate, `f` for a real one, whose value here is the snapped one.
+        form: char,
         /// Which vertex, 0 to 2.
         vertex: usize,
         /// 0 for x, 1 for y, 2 for z.
@@ -127,7 +131,7 @@ impl VertexConfig {
         if (low..=high).contains(&value) {
             Ok(value)
         } else {
-            Err(VertexError::Outside { vertex, axis, value, low, high })
+            Err(VertexError::Outside { form: 'v', vertex, axis, value, low, high })
         }
     }
 
@@ -156,7 +160,7 @@ impl VertexConfig {
         match (snapped, self.endless) {
             (Some(value), Endless::Refuse) if (low..=high).contains(&value) => Ok(value),
             (Some(value), Endless::Refuse) => {
-                Err(VertexError::Outside { vertex, axis, value, low, high })
+                Err(VertexError::Outside { form: 'f', vertex, axis, value, low, high })
             }
             (Some(value), Endless::Clamp) => Ok(value.clamp(low, high)),
             (None, Endless::Clamp) if value.is_nan() => Ok(0i128.clamp(low, high)),
