@@ -4,10 +4,11 @@
 use guardbit::bits::{Bits, Event, Rounding, RunTime, WidthError, Word};
 use guardbit::cover::{EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleGrid};
 use guardbit::format::{Clamp, QFormat, QFormatError, ReadOut, ReadOutError};
+use guardbit::machine::DrawError;
 use guardbit::model::{Drawing, Model, PrimitiveError, View};
 use guardbit::profile::{Form, InvalidProfile, Profile, WindowConfig, load};
 use guardbit::scene;
-use guardbit::setup::{Division, DivisionError, Triangle, VertexError};
+use guardbit::setup::{Division, DivisionError, Triangle, VertexError, snap_f64};
 
 fn draw(profile: &Profile, view: View, triangle: Triangle) -> Drawing {
     let mut drawing = Drawing::default();
@@ -242,6 +243,11 @@ fn the_smallest_case_that_needs_a_guard_bit() {
     assert_eq!(first(Clamp::Guard), 0);
     assert_eq!(first(Clamp::Sign), 0);
     assert_eq!(first(Clamp::Wrap), (1 << 24) - 1, "unguarded: the farthest depth there is");
+    // With two guard bits nothing left the range; without one the primitive is refused at A.
+    assert_eq!(first(Clamp::Error), 0);
+    profile.depth.as_mut().unwrap().guard = 0;
+    let drawn = Model::new(&profile).unwrap().draw(&t, &mut Drawing::default());
+    assert_eq!(drawn, Err(DrawError::GuardRange { x: 5, y: 0 }));
 }
 
 fn lattice(xy: [[i128; 2]; 3], z: Option<[i128; 3]>) -> scene::Triangle {
@@ -319,6 +325,9 @@ fn reals_beyond_every_word() {
         let expected = VertexError::NotFinite { vertex, axis, what };
         assert_eq!(sgi.snap(&real(value, 0.0)), Err(PrimitiveError::Vertex(expected)));
     }
+    // The smallest subnormal and the smallest normal number are what they are.
+    let exact = |bits, fraction| snap_f64(f64::from_bits(bits), fraction, Rounding::Floor);
+    assert_eq!([exact(1, 1074), exact(3, 1073), exact(1 << 52, 1022)], [Some(1), Some(1), Some(1)]);
     // The closed end is a position; half a sub-pixel beyond it rounds to even, back onto it.
     let end = 4096 << 10;
     assert_eq!(sgi.snap(&real(4096.0, 0.0)).unwrap().xy[1][0], end);

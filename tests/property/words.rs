@@ -59,6 +59,9 @@ proptest! {
         let (low, high): (BigInt, BigInt) = (-modulus(n - 1), modulus(n - 1) - 1);
         let held = sum.clamp(low.clone(), high.clone());
         prop_assert_eq!(BigInt::from(x.saturating_add(y).to_i128()), held);
+        // Equal as words, too: nothing is left below the word.
+        let end = x.saturating_add(y);
+        prop_assert_eq!(end, word(n, end.to_i128()));
         let saturated = BigInt::from(Word::saturating(x.width(), a).to_i128());
         prop_assert_eq!(saturated, BigInt::from(a).clamp(low, high));
         prop_assert_eq!(Word::checked(x.width(), a).is_some(), u == BigInt::from(a));
