@@ -62,7 +62,7 @@ pub enum VertexError {
     NoSign,
     /// A coordinate lies outside the field.
     #[error(
-        "{form}[{vertex}][{axis}]: {value} is outside the vertex field: {low} <= {value} <= {high} is violated"
+        "{form}[{vertex}][{axis}] = {value} is outside the vertex field: {low} <= {form} <= {high}"
     )]
     Outside {
         /// `v` for a lattice coordinate, `f` for a real one, whose value here is the snapped one.
