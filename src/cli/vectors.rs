@@ -32,7 +32,7 @@ pub(crate) struct Arguments {
     /// Rows of each walk file (dda.exp, edge.exp); the other benches grow with it.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     count: Option<u64>,
-    /// Size by the rate of simulators: about a second in GHDL, in Icarus, a minute in Verilator.
+    /// Size by the rate of simulators, where no --count is given.
     #[arg(long, value_enum, default_value_t = Size::Regress)]
     size: Size,
     /// Seed of the random classes.
@@ -69,18 +69,28 @@ pub(crate) struct Arguments {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Size {
+    /// 20 thousand rows: about a second in GHDL.
     Smoke,
+    /// 100 thousand rows: about a second in Icarus.
     Regress,
+    /// 50 million rows: about a minute in Verilator.
     Soak,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Format {
+    /// Hexadecimal columns joined by `_`: the golden form.
     Tv,
+    /// Big-endian, each column padded to whole bytes.
     Bin,
+    /// Hexadecimal columns joined by commas, one header line.
     Csv,
+    /// One object a row, words as hexadecimal strings.
     Jsonl,
+    /// Operands, results and flags, separated by blanks.
     Testfloat,
+    /// The golden form, compressed: the same as --zstd.
+    Zstd,
 }
 
 impl Size {
@@ -97,7 +107,7 @@ impl Size {
 impl From<Format> for RowFormat {
     fn from(format: Format) -> Self {
         match format {
-            Format::Tv => Self::Tv,
+            Format::Tv | Format::Zstd => Self::Tv,
             Format::Bin => Self::Bin,
             Format::Csv => Self::Csv,
             Format::Jsonl => Self::Jsonl,
@@ -127,7 +137,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         seed: arguments.seed,
         shard: arguments.shard.unwrap_or(Shard::WHOLE),
         format: arguments.format.into(),
-        zstd: arguments.zstd,
+        zstd: arguments.zstd || matches!(arguments.format, Format::Zstd),
         threads: threads(arguments.threads),
         force: arguments.force,
     };
