@@ -5,7 +5,7 @@ use super::emit::{Output, emit, files};
 use super::manifest::{self, FileEntry, Manifest, hex_digest};
 use super::plan::Shard;
 use super::table::RowFormat;
-use super::write::{INDEX, Monitor, SetIndex, companions, compress, file_name};
+use super::write::{INDEX, Monitor, SetIndex, account, companions, compress, file_name};
 use crate::model::{MODEL_VERSION, Model};
 use crate::profile::Profile;
 use crate::scene::{self, lines};
@@ -130,26 +130,19 @@ fn io(path: &Path) -> impl Fn(std::io::Error) -> CheckError {
 pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
     let mut findings = Vec::new();
     let index_path = dir.join(INDEX);
-    let folders = match std::fs::read_to_string(&index_path) {
-        Ok(text) => {
+    let folders = match read_text(&index_path)? {
+        Some(text) => {
             let index: SetIndex = parse_json(&text, &index_path)?;
             canonical(&index_path, &text, &index.to_text(), &mut findings);
             strangers(dir, &index, &mut findings)?;
             index.sets.into_iter().map(|set| (dir.join(&set.folder), Some(set.digest))).collect()
         }
-        Err(error) if error.kind() == ErrorKind::NotFound => vec![(dir.to_owned(), None)],
-        Err(error) => return Err(io(&index_path)(error)),
+        None => vec![(dir.to_owned(), None)],
     };
     let mut sets = Vec::new();
     for (folder, digest) in folders {
         let path = folder.join(manifest::NAME);
-        let text = match std::fs::read_to_string(&path) {
-            Ok(text) => text,
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                return Err(CheckError::Unfinished(folder));
-            }
-            Err(error) => return Err(io(&path)(error)),
-        };
+        let Some(text) = read_text(&path)? else { return Err(CheckError::Unfinished(folder)) };
         let manifest: Manifest = parse_json(&text, &path)?;
         if manifest.model_version != MODEL_VERSION {
             let path = path.display().to_string();
@@ -175,6 +168,23 @@ pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
         sets.push(OpenSet { folder, manifest });
     }
     Ok((sets, findings))
+}
+
+/// The text of a file, if it is there.
+fn read_text(path: &Path) -> Result<Option<String>, CheckError> {
+    let bytes = match std::fs::read(path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(io(path)(error)),
+    };
+    String::from_utf8(bytes).map(Some).map_err(|error| {
+        let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        CheckError::Malformed {
+            path: path.display().to_string(),
+            line: good.split(|byte| *byte == b'\n').count(),
+            message: "not UTF-8".to_owned(),
+        }
+    })
 }
 
 /// Subfolders that the index does not name: a set copied in, or left from another run.
@@ -427,6 +437,8 @@ fn recompute(
     let scene = read_scene(set)?;
     let source = source(set, scene);
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
+    let mut made = Manifest { files: Vec::new(), groups: Vec::new(), ..set.manifest.clone() };
+    made.coverage.clear();
     for bench in source.benches() {
         let specs = files(&*bench, format);
         let names: Vec<String> =
@@ -443,7 +455,14 @@ fn recompute(
             };
             output.files.push(compared);
         }
-        emit(&*bench, shard, set.manifest.count, format, &mut output).map_err(io(&set.folder))?;
+        let emitted = emit(&*bench, shard, set.manifest.count, format, &mut output)
+            .map_err(io(&set.folder))?;
+        for ((spec, name), rows) in specs.into_iter().zip(names).zip(&emitted.rows) {
+            made.files.push(FileEntry { columns: spec.columns, ..as_listed(set, name, *rows) });
+        }
+        let (groups, coverage) = account(&*bench, &emitted);
+        made.groups.extend(groups);
+        made.coverage.push(coverage);
         for compared in output.files.into_iter().flatten() {
             findings.extend(compared.finish().map_err(io(&set.folder))?);
         }
@@ -452,6 +471,7 @@ fn recompute(
         set.manifest.files.iter().filter(|file| !file.columns.is_empty()).cloned().collect();
     let (set_name, profile) = (&set.manifest.set, &set.manifest.profile);
     for (name, text) in companions(set_name, profile, &source.scene, &vector_files, format, zstd) {
+        made.files.push(as_listed(set, name.clone(), text.lines().count() as u64));
         if wanted(&name) {
             let path = set.folder.join(&name);
             let found = match std::fs::read(&path) {
@@ -464,6 +484,11 @@ fn recompute(
             }
         }
     }
+    if everything && findings.is_empty() {
+        made.scene.triangles = source.scene.len() as u64;
+        let path = set.folder.join(manifest::NAME);
+        canonical(&path, &set.manifest.to_text(), &made.to_text(), &mut findings);
+    }
     // A suspect that nothing explains: listed with a digest that is not that of what belongs there.
     for name in suspects {
         let path = set.folder.join(name);
@@ -475,10 +500,17 @@ fn recompute(
     Ok(findings)
 }
 
+/// A file as the manifest must list it, its length and digest as it does list them.
+fn as_listed(set: &OpenSet, name: String, rows: u64) -> FileEntry {
+    let listed = set.manifest.files.iter().find(|file| file.name == name);
+    let (bytes, sha256) = listed.map_or((0, ""), |file| (file.bytes, file.sha256.as_str()));
+    FileEntry { name, rows, bytes, sha256: sha256.to_owned(), columns: Vec::new() }
+}
+
 /// The first line of a damaged scene that is not as made, where that can be told: from the
 /// built-in scene of that name, or because the line is no triangle.
 fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
-    let text = std::fs::read_to_string(path).ok()?;
+    let bytes = std::fs::read(path).ok()?;
     let name = manifest.scene.name.as_str();
     if scene::builtin_names().iter().any(|(known, _)| *known == name) {
         let model = Model::new(&manifest.profile).ok()?;
@@ -487,10 +519,10 @@ fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
             made.triangles.iter().filter_map(|triangle| model.snap(triangle).ok()).collect();
         let expected = super::write::scene_text(&snapped);
         if manifest::sha256(expected.as_bytes()) == manifest.scene.sha256 {
-            return first_difference(path, text.as_bytes(), expected.as_bytes()).line;
+            return first_difference(path, &bytes, expected.as_bytes()).line;
         }
     }
-    match lines::parse_scene(&text) {
+    match lines::parse_scene(&String::from_utf8_lossy(&bytes)) {
         Err((line, _)) => Some(line as u64),
         Ok(triangles) => {
             ((triangles.len() as u64) != manifest.scene.triangles).then_some(triangles.len() as u64)
