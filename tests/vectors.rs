@@ -72,6 +72,7 @@ fn names(set: &Set) -> Vec<&str> {
     vectors.map(|file| file.name.as_str()).collect()
 }
 
+// Clause N-11
 #[test]
 fn the_bytes_do_not_depend_on_the_number_of_threads() {
     let requests = ["tiny", "sgi-4k", "d3d11"].map(|name| request(&profile(name), "triangle"));
@@ -90,6 +91,7 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
     }
 }
 
+// Clause N-6
 #[test]
 fn the_count_is_the_number_of_rows_of_the_walk_files() {
     for name in ["tiny", "sgi-4k", "d3d11"] {
@@ -112,6 +114,7 @@ fn the_count_is_the_number_of_rows_of_the_walk_files() {
     assert!(!names(&set).iter().any(|name| name.starts_with("edge")));
 }
 
+// Clause N-6
 #[test]
 fn parts_joined_are_the_whole() {
     let formats = [
@@ -180,6 +183,7 @@ fn json_row(line: &str) -> Vec<(String, u128)> {
         .collect()
 }
 
+// Clause N-1 and Clause N-7
 #[test]
 fn every_format_holds_the_same_words() {
     for name in ["tiny", "sgi-4k", "sgi-4k-walk"] {
@@ -252,6 +256,7 @@ fn every_format_holds_the_same_words() {
     }
 }
 
+// Clause N-7
 #[test]
 fn the_operand_form_states_each_addition_and_its_flags() {
     for profile in zoo() {
@@ -311,6 +316,7 @@ fn flags(reader: Reader, pattern: u128) -> u128 {
     u128::from(above) << 1 | u128::from(below) << 2 | u128::from(inexact) << 3
 }
 
+// Clause N-2
 #[test]
 fn walks_are_what_a_plain_stepper_gives() {
     for profile in zoo() {
@@ -424,6 +430,7 @@ fn exact_setup(profile: &Profile, xy: [[i128; 2]; 3], z: [i128; 3]) -> Vec<i128>
     words
 }
 
+// Clause N-2
 #[test]
 fn set_up_words_are_the_exact_ones_rounded_once() {
     // Set-up knows no clamp, and one number of guard bits is as good as another.
@@ -464,6 +471,7 @@ fn set_up_words_are_the_exact_ones_rounded_once() {
     }
 }
 
+// Clause N-2 and Clause N-5
 #[test]
 fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
     for profile in zoo() {
@@ -555,6 +563,7 @@ fn events(reader: Reader, value: i128) -> [bool; 4] {
     [wrapped, clamps && value >= top, clamps && value < 0, value.rem_euclid(one) != 0]
 }
 
+// Clause N-3 and Clause N-8 and Clause N-9
 #[test]
 fn the_manifest_says_what_is_there() {
     for profile in zoo() {
@@ -654,6 +663,7 @@ fn nothing_tells_where_or_when_a_set_was_made() {
     }
 }
 
+// Clause N-2
 #[test]
 fn columns_are_named_and_wide_as_the_conventions_fix() {
     let fixed = [
@@ -730,6 +740,7 @@ fn packages_count_the_rows_of_the_manifest() {
     assert_eq!(found, 4 * 10);
 }
 
+// Clause N-11
 #[test]
 fn a_folder_in_the_way_is_kept_unless_forced() {
     let home = tempfile::tempdir().unwrap();
@@ -777,6 +788,7 @@ fn force_replaces_sets_and_nothing_else() {
     assert_eq!(tree(home.path()).len(), 1);
 }
 
+// Clause N-11
 #[test]
 fn a_failing_run_leaves_nothing_behind() {
     let home = tempfile::tempdir().unwrap();
@@ -803,6 +815,7 @@ fn a_failing_run_leaves_nothing_behind() {
     assert!(tree(home.path()) == before);
 }
 
+// Clause N-4
 #[test]
 fn tests_keep_their_rows_in_a_set_of_any_size() {
     let profile = profile("tiny");

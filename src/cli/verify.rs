@@ -7,6 +7,7 @@ use super::progress;
 use guardbit::profile;
 use guardbit::vector::check::{self, CheckError, CheckOptions, OpenSet};
 use guardbit::vector::dump::{self, CompareError, DumpError};
+use guardbit::vector::write::Monitor;
 use std::path::{Path, PathBuf};
 
 /// Check a set against itself, or a device's dump against the set.
@@ -39,7 +40,8 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let believed = arguments.profile.as_deref().map(profile::load).transpose()?;
-    let monitor = progress::monitor();
+    // Nothing is written, so nothing has to be tidied up: Ctrl-C may end the process at once.
+    let monitor = Monitor::default();
     let options = CheckOptions {
         recompute: arguments.recompute,
         profile: believed.as_ref(),
@@ -101,6 +103,9 @@ fn compare(
     }
     let (rows, expected) = (report.rows, report.expected_rows);
     output.line(format!("FAIL: {} mismatches in {rows} rows of {expected}", report.total))?;
+    if report.short {
+        output.line("the dump ends before the set does: a simulation that stopped early?")?;
+    }
     match &report.causes[..] {
         [] => output.line(format!(
             "cause: none of {} single changes explains the whole dump",

@@ -57,6 +57,12 @@ pub trait Bench: Send + Sync {
         None
     }
 
+    /// Rows at the very start of a file that this device leaves open: what it shows before its
+    /// first clock depends on its reset.
+    fn unsettled(&self) -> u64 {
+        0
+    }
+
     /// Which coverage cells the bench can meet.
     fn shape(&self) -> Shape;
 

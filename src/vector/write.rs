@@ -2,7 +2,7 @@
 
 mod finish;
 
-pub use finish::{companions, scene_text};
+pub use finish::{account, companions, scene_text};
 
 use super::bench::{Bench, Source};
 use super::emit::{Emitted, Output, emit, files};

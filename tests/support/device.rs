@@ -150,8 +150,23 @@ impl Stepper {
         }
     }
 
-    /// Rows of one walk: op, state and output as patterns.
+    /// Rows of one walk after a reset: op, state and output as patterns.
     pub(crate) fn walk(&self, cfg: &[u128], ops: &[u128]) -> Vec<[u128; 3]> {
+        self.walk_on(&mut self.reset(), cfg, ops)
+    }
+
+    /// State and output after a reset.
+    pub(crate) fn reset(&self) -> [i128; 2] {
+        [0, self.out(0)]
+    }
+
+    /// Rows of a walk; what the device shows before it is loaded is what the last walk left.
+    pub(crate) fn walk_on(
+        &self,
+        before: &mut [i128; 2],
+        cfg: &[u128],
+        ops: &[u128],
+    ) -> Vec<[u128; 3]> {
         let [init, dx, dy] = [0, 1, 2].map(|n| extend(cfg[n].cast_signed(), self.port));
         let (dx, dy) = match self.slip {
             Slip::Swapped => (dy, dx),
@@ -163,7 +178,6 @@ impl Stepper {
         let unsigned = self.reader.is_some_and(|r| r.clamp == Clamp::Saturate && r.guard == 0);
         let start = if unsigned { init & ((1 << self.port) - 1) } else { init };
         let (mut state, mut rows) = (0, Vec::new());
-        let mut before = [0; 2];
         for op in ops {
             state = match op {
                 0 => held(start),
@@ -175,11 +189,11 @@ impl Stepper {
             let word = state & ((1 << self.width) - 1) & ((1 << self.port) - 1);
             let now = [word, self.out(state)];
             let [word, out] = match self.slip {
-                Slip::Late => before,
+                Slip::Late => *before,
                 Slip::LateOut => [now[0], before[1]],
                 _ => now,
             };
-            before = now;
+            *before = now;
             rows.push([*op, word.cast_unsigned(), out.cast_unsigned()]);
         }
         rows
@@ -273,12 +287,11 @@ impl Drawer {
             return Drawn { setup: vec![0; 12], zero_area: true, ..Drawn::default() };
         }
         if area < 0 {
-            if !self.turns_round {
-                return Drawn { setup: vec![0; 12], ..Drawn::default() };
-            }
-            v.swap(1, 2);
-            z.swap(1, 2);
             area = -area;
+            if self.turns_round {
+                v.swap(1, 2);
+                z.swap(1, 2);
+            }
         }
         let mut words = Vec::new();
         for k in 0..3 {
@@ -307,8 +320,9 @@ impl Drawer {
         let ([ax, ay], [bx, by]) =
             ([v[1][0] - v[0][0], v[1][1] - v[0][1]], [v[2][0] - v[0][0], v[2][1] - v[0][1]]);
         let (za, zb) = (z[1] - z[0], z[2] - z[0]);
-        let right = za * by - zb * ay;
-        let down = zb * ax - za * bx;
+        let sign = if ax * by - bx * ay < 0 { -1 } else { 1 };
+        let right = sign * (za * by - zb * ay);
+        let down = sign * (zb * ax - za * bx);
         let offset = right * (self.sample[0] - v[0][0]) + down * (self.sample[1] - v[0][1]);
         let quotient = |n: i128, shift: u32| match self.reciprocal {
             None => divide(n << shift, area, self.rounding),
@@ -359,6 +373,9 @@ impl Drawer {
                 let row = y + i128::from(self.rows_late);
                 let (x0, x1) =
                     (x0 + i128::from(self.left_excluded), x1 + i128::from(self.right_included));
+                if x0 == x1 {
+                    continue;
+                }
                 drawn.spans.push([row, x0, x1]);
                 let depths = (x0..x1).map(|x| [x, row, self.reader.read(at(9, x, y))]);
                 drawn.depths.extend(depths);

@@ -8,8 +8,9 @@ use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::bits::Event;
 use crate::case::Words;
 use crate::case::triangle::{self, Directed, Stimulus};
+use crate::machine::WalkedEdge;
 use crate::model::{Drawing, Model, Span};
-use crate::profile::neighbours;
+use crate::profile::{Form, neighbours};
 use crate::setup::{Gradient, Triangle};
 use crate::vector::table::Table;
 use std::fmt::Write as _;
@@ -98,6 +99,7 @@ impl TriangleBench {
         let mut drawing = Drawing::default();
         // A device without the swap sees a negative area and, inside being positive, no samples.
         if self.quirk == Quirk::NoSwap && triangle.area2() < 0 {
+            drawing.setup = self.unturned(triangle);
             return drawing;
         }
         // The clamp mode `error` refuses a triangle: it then has no rows.
@@ -106,6 +108,46 @@ impl TriangleBench {
             drawing.depth.clear();
         }
         drawing
+    }
+
+    /// Set-up words of a triangle of negative area, edges in the order given. The plane is the same.
+    fn unturned(&self, triangle: &Triangle) -> Vec<i128> {
+        let Ok(grid) = self.model.profile().grid() else { return Vec::new() };
+        let mut words = Vec::new();
+        match self.model.profile().form {
+            Form::EdgeFunction(edges) => {
+                let edges = edges.words(triangle, &grid);
+                for k in 0..3 {
+                    words.extend([edges.value[k], edges.step_x[k], edges.step_y[k]]);
+                }
+            }
+            Form::EdgeWalk(walk) => {
+                for k in 0..3 {
+                    let edge = walk.edge(triangle.xy[k], triangle.xy[(k + 1) % 3], &grid);
+                    let words_of = |e: WalkedEdge| [e.start, e.slope, e.first_row, e.end_row];
+                    words.extend(edge.map_or([0; 4], words_of));
+                }
+            }
+        }
+        let turned = triangle.normalised();
+        if let (Some(depth), Some(z)) = (self.model.depth(), turned.z) {
+            let plane = depth.plane(&turned, z, &grid);
+            words.extend([plane.start, plane.dx, plane.dy]);
+        }
+        words
+    }
+
+    /// Depths of a span: those drawn, and beyond them what the plane goes on to give.
+    fn depths(&self, triangle: &Triangle, span: &Span) -> Vec<u64> {
+        let mut values = vec![0; (span.x1 - span.x0) as usize];
+        let turned = triangle.normalised();
+        let grid = self.model.profile().grid();
+        if let (Some(depth), Some(z), Ok(grid)) = (self.model.depth(), turned.z, grid) {
+            // A quirk of the row's number leaves the row itself where it was.
+            let y = span.y - u32::from(self.quirk == Quirk::RowsLate);
+            depth.span(&depth.plane(&turned, z, &grid), y, span.x0, &mut values);
+        }
+        values
     }
 
     fn emit_setup(&self, triangle: &Triangle, tables: &mut [Table], coverage: &mut Coverage) {
@@ -151,21 +193,16 @@ impl TriangleBench {
         words.extend(setup_words(&self.model, &drawing));
         words.extend(bounds(&self.model, triangle).map(i128::from));
         cfg.push(&words);
-        let mut rows: Vec<(Span, usize)> = Vec::with_capacity(drawing.spans.len());
-        let mut first = 0;
-        for span in &drawing.spans {
-            let quirky = match self.quirk {
-                Quirk::RightEndIncluded => Span { x1: span.x1 + 1, ..*span },
-                Quirk::LeftEndExcluded => Span { x0: span.x0 + 1, ..*span },
-                Quirk::RowsLate => Span { y: span.y + 1, ..*span },
-                Quirk::None | Quirk::NoSwap => *span,
-            };
-            rows.push((quirky, first));
-            first += (span.x1 - span.x0) as usize;
-        }
-        rows.retain(|(span, _)| span.x0 < span.x1);
+        let mut rows: Vec<Span> = Vec::with_capacity(drawing.spans.len());
+        rows.extend(drawing.spans.iter().map(|span| match self.quirk {
+            Quirk::RightEndIncluded => Span { x1: span.x1 + 1, ..*span },
+            Quirk::LeftEndExcluded => Span { x0: span.x0 + 1, ..*span },
+            Quirk::RowsLate => Span { y: span.y + 1, ..*span },
+            Quirk::None | Quirk::NoSwap => *span,
+        }));
+        rows.retain(|span| span.x0 < span.x1);
         let count = |event| i128::from(drawing.events.total.count(event));
-        let samples: u64 = rows.iter().map(|(span, _)| u64::from(span.x1 - span.x0)).sum();
+        let samples: u64 = rows.iter().map(|span| u64::from(span.x1 - span.x0)).sum();
         exp.push(&[
             test,
             rows.len() as i128,
@@ -176,15 +213,23 @@ impl TriangleBench {
             count(Event::Inexact),
             i128::from(drawing.zero_area),
         ]);
-        for (span, _) in &rows {
+        for span in &rows {
             spans.push(&[test, i128::from(span.y), i128::from(span.x0), i128::from(span.x1)]);
         }
         let [depths] = rest else { return };
-        for (span, first) in &rows {
-            for (n, x) in (span.x0..span.x1).enumerate() {
-                let z = drawing.depth.get(first + n).copied().unwrap_or_default();
-                depths.push(&[test, i128::from(x), i128::from(span.y), i128::from(z)]);
+        let mut first = 0;
+        for span in &rows {
+            let width = (span.x1 - span.x0) as usize;
+            // As drawn, unless a quirk moves the ends of spans.
+            let values = match self.quirk {
+                Quirk::None | Quirk::NoSwap => drawing.depth.get(first..first + width),
+                _ => None,
+            };
+            let moved = if values.is_none() { self.depths(triangle, span) } else { Vec::new() };
+            for (x, z) in (span.x0..span.x1).zip(values.unwrap_or(&moved)) {
+                depths.push(&[test, i128::from(x), i128::from(span.y), i128::from(*z)]);
             }
+            first += width;
         }
         self.note_samples(triangle, &drawing, coverage);
     }

@@ -240,7 +240,7 @@ impl Bench for WalkBench {
         match &self.fast {
             Some(Fast::Depth(decode)) => self.emit_depth(&walk, rows, decode, exp, coverage),
             Some(Fast::Edge) => self.emit_edge(&walk, rows, exp, coverage),
-            None => self.emit_plain(&walk, rows, exp, coverage),
+            None => self.emit_plain(&walk, (at.test, rows), exp, coverage),
         }
     }
 
@@ -277,6 +277,10 @@ impl Bench for WalkBench {
                 Shape::of_bits([true, above, below], self.read.fraction())
             }
         }
+    }
+
+    fn unsettled(&self) -> u64 {
+        u64::from(matches!(self.quirk, Quirk::Late | Quirk::LateOut))
     }
 
     fn describe(&self, at: TestAt) -> String {

@@ -14,26 +14,19 @@ use std::path::Path;
 pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
     let mut findings = Vec::new();
     let index_path = dir.join(INDEX);
-    let folders = match std::fs::read_to_string(&index_path) {
-        Ok(text) => {
+    let folders = match read_text(&index_path)? {
+        Some(text) => {
             let index: SetIndex = parse_json(&text, &index_path)?;
             canonical(&index_path, &text, &index.to_text(), &mut findings);
             strangers(dir, &index, &mut findings)?;
             index.sets.into_iter().map(|set| (dir.join(&set.folder), Some(set.digest))).collect()
         }
-        Err(error) if error.kind() == ErrorKind::NotFound => vec![(dir.to_owned(), None)],
-        Err(error) => return Err(io(&index_path)(error)),
+        None => vec![(dir.to_owned(), None)],
     };
     let mut sets = Vec::new();
     for (folder, digest) in folders {
         let path = folder.join(manifest::NAME);
-        let text = match std::fs::read_to_string(&path) {
-            Ok(text) => text,
-            Err(error) if error.kind() == ErrorKind::NotFound => {
-                return Err(CheckError::Unfinished(folder));
-            }
-            Err(error) => return Err(io(&path)(error)),
-        };
+        let Some(text) = read_text(&path)? else { return Err(CheckError::Unfinished(folder)) };
         let manifest: Manifest = parse_json(&text, &path)?;
         if manifest.model_version != MODEL_VERSION {
             let path = path.display().to_string();
@@ -59,6 +52,23 @@ pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
         sets.push(OpenSet { folder, manifest });
     }
     Ok((sets, findings))
+}
+
+/// The text of a file, if it is there.
+fn read_text(path: &Path) -> Result<Option<String>, CheckError> {
+    let bytes = match std::fs::read(path) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(io(path)(error)),
+    };
+    String::from_utf8(bytes).map(Some).map_err(|error| {
+        let good = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        CheckError::Malformed {
+            path: path.display().to_string(),
+            line: good.split(|byte| *byte == b'\n').count(),
+            message: "not UTF-8".to_owned(),
+        }
+    })
 }
 
 /// Subfolders that the index does not name: a set copied in, or left from another run.
@@ -88,7 +98,7 @@ fn parse_json<T: serde::de::DeserializeOwned>(text: &str, path: &Path) -> Result
 }
 
 /// A file that must be the canonical form of what it says, digest included.
-fn canonical(path: &Path, text: &str, expected: &str, findings: &mut Vec<Finding>) {
+pub(super) fn canonical(path: &Path, text: &str, expected: &str, findings: &mut Vec<Finding>) {
     if text != expected {
         findings.push(first_difference(path, text.as_bytes(), expected.as_bytes()));
     }

@@ -1,6 +1,6 @@
 //! Deriving a set's files again, and naming the first difference of each.
 
-use super::open::{first_difference, shown};
+use super::open::{canonical, first_difference, shown};
 use super::{BUFFER, CheckError, Finding, OpenSet, io};
 use crate::model::Model;
 use crate::scene::{self, lines};
@@ -10,7 +10,7 @@ use crate::vector::emit::{Output, emit, files};
 use crate::vector::manifest::{self, FileEntry, Manifest};
 use crate::vector::plan::Shard;
 use crate::vector::table::RowFormat;
-use crate::vector::write::{companions, compress, file_name, scene_text};
+use crate::vector::write::{account, companions, compress, file_name, scene_text};
 use std::fs::File;
 use std::io::{BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -83,6 +83,8 @@ pub(super) fn recompute(
     let scene = read_scene(set)?;
     let source = source(set, scene);
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
+    let mut made = Manifest { files: Vec::new(), groups: Vec::new(), ..set.manifest.clone() };
+    made.coverage.clear();
     for bench in source.benches() {
         let specs = files(&*bench, format);
         let names: Vec<String> =
@@ -99,7 +101,14 @@ pub(super) fn recompute(
             };
             output.files.push(compared);
         }
-        emit(&*bench, shard, set.manifest.count, format, &mut output).map_err(io(&set.folder))?;
+        let emitted = emit(&*bench, shard, set.manifest.count, format, &mut output)
+            .map_err(io(&set.folder))?;
+        for ((spec, name), rows) in specs.into_iter().zip(names).zip(&emitted.rows) {
+            made.files.push(FileEntry { columns: spec.columns, ..as_listed(set, name, *rows) });
+        }
+        let (groups, coverage) = account(&*bench, &emitted);
+        made.groups.extend(groups);
+        made.coverage.push(coverage);
         for compared in output.files.into_iter().flatten() {
             findings.extend(compared.finish().map_err(io(&set.folder))?);
         }
@@ -108,6 +117,7 @@ pub(super) fn recompute(
         set.manifest.files.iter().filter(|file| !file.columns.is_empty()).cloned().collect();
     let (set_name, profile) = (&set.manifest.set, &set.manifest.profile);
     for (name, text) in companions(set_name, profile, &source.scene, &vector_files, format, zstd) {
+        made.files.push(as_listed(set, name.clone(), text.lines().count() as u64));
         if wanted(&name) {
             let path = set.folder.join(&name);
             let found = match std::fs::read(&path) {
@@ -120,6 +130,11 @@ pub(super) fn recompute(
             }
         }
     }
+    if everything && findings.is_empty() {
+        made.scene.triangles = source.scene.len() as u64;
+        let path = set.folder.join(manifest::NAME);
+        canonical(&path, &set.manifest.to_text(), &made.to_text(), &mut findings);
+    }
     // A suspect that nothing explains: listed with a digest that is not that of what belongs there.
     for name in suspects {
         let path = set.folder.join(name);
@@ -131,10 +146,17 @@ pub(super) fn recompute(
     Ok(findings)
 }
 
+/// A file as the manifest must list it, its length and digest as it does list them.
+fn as_listed(set: &OpenSet, name: String, rows: u64) -> FileEntry {
+    let listed = set.manifest.files.iter().find(|file| file.name == name);
+    let (bytes, sha256) = listed.map_or((0, ""), |file| (file.bytes, file.sha256.as_str()));
+    FileEntry { name, rows, bytes, sha256: sha256.to_owned(), columns: Vec::new() }
+}
+
 /// The first line of a damaged scene that is not as made, where that can be told: from the
 /// built-in scene of that name, or because the line is no triangle.
 fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
-    let text = std::fs::read_to_string(path).ok()?;
+    let bytes = std::fs::read(path).ok()?;
     let name = manifest.scene.name.as_str();
     if scene::builtin_names().iter().any(|(known, _)| *known == name) {
         let model = Model::new(&manifest.profile).ok()?;
@@ -143,10 +165,10 @@ fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
             made.triangles.iter().filter_map(|triangle| model.snap(triangle).ok()).collect();
         let expected = scene_text(&snapped);
         if manifest::sha256(expected.as_bytes()) == manifest.scene.sha256 {
-            return first_difference(path, text.as_bytes(), expected.as_bytes()).line;
+            return first_difference(path, &bytes, expected.as_bytes()).line;
         }
     }
-    match lines::parse_scene(&text) {
+    match lines::parse_scene(&String::from_utf8_lossy(&bytes)) {
         Err((line, _)) => Some(line as u64),
         Ok(triangles) => {
             ((triangles.len() as u64) != manifest.scene.triangles).then_some(triangles.len() as u64)

@@ -137,7 +137,8 @@ fn keyed(
     report.rows = rows;
     let mut expected = Expected::new(subject);
     let bench = &*subject.bench;
-    let mut number = 0;
+    // Rows in file order: the number of this one, of the last one found, of the first one missing.
+    let (mut number, mut last, mut gap) = (0, 0, u64::MAX);
     for (at, limit) in subject.tests() {
         let rows = expected.rows(bench, at, limit);
         let mut theirs = map.remove(&u128::from(at.test)).unwrap_or_default();
@@ -146,6 +147,7 @@ fn keyed(
             number += 1;
             let same_key = |row: &DumpRow| row.words[..subject.key()] == words[..subject.key()];
             let Some(found) = theirs.iter().position(same_key) else {
+                gap = gap.min(number);
                 keep(report, most, || Mismatch {
                     row: Some(number),
                     line: None,
@@ -154,6 +156,7 @@ fn keyed(
                 });
                 continue;
             };
+            last = number;
             let row = theirs.remove(found);
             if !agrees(words, &row) {
                 keep(report, most, || Mismatch {
@@ -173,6 +176,7 @@ fn keyed(
             });
         }
     }
+    report.short = gap < u64::MAX && gap > last;
     let mut left: Vec<DumpRow> = map.into_values().flatten().collect();
     left.sort_by_key(|row| row.line);
     for row in left {

@@ -7,6 +7,7 @@ use crate::profile::{Form, Profile};
 use crate::scene::{self, lines};
 use crate::setup::Triangle;
 use crate::vector::bench::Bench;
+use crate::vector::emit::Emitted;
 use crate::vector::manifest::{
     self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, sha256,
 };
@@ -73,6 +74,23 @@ fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
     Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, files }
 }
 
+/// What the manifest says of a bench: its groups that have tests, and what their rows hit.
+pub fn account(bench: &dyn Bench, emitted: &Emitted) -> (Vec<GroupEntry>, CoverageEntry) {
+    let name = bench.name().to_owned();
+    let counted = bench.groups().iter().zip(&emitted.groups).filter(|(_, (tests, _))| *tests > 0);
+    let groups = counted
+        .map(|(group, &(tests, rows))| GroupEntry {
+            bench: name.clone(),
+            tag: group.class.tag.to_owned(),
+            catches: group.class.catches.to_owned(),
+            tests,
+            rows,
+        })
+        .collect();
+    let (cells, holes) = emitted.coverage.report(bench.shape());
+    (groups, CoverageEntry { bench: name, cells, holes })
+}
+
 pub(super) fn finish(
     request: &SetRequest,
     folder: &Path,
@@ -83,17 +101,9 @@ pub(super) fn finish(
     let (mut entries, mut groups, mut coverage) = (Vec::new(), Vec::new(), Vec::new());
     for (bench, (files, emitted)) in benches.iter().zip(parts) {
         entries.extend(files);
-        let counted =
-            bench.groups().iter().zip(&emitted.groups).filter(|(_, (tests, _))| *tests > 0);
-        groups.extend(counted.map(|(group, &(tests, rows))| GroupEntry {
-            bench: bench.name().to_owned(),
-            tag: group.class.tag.to_owned(),
-            catches: group.class.catches.to_owned(),
-            tests,
-            rows,
-        }));
-        let (cells, holes) = emitted.coverage.report(bench.shape());
-        coverage.push(CoverageEntry { bench: bench.name().to_owned(), cells, holes });
+        let (mine, covered) = account(&**bench, &emitted);
+        groups.extend(mine);
+        coverage.push(covered);
     }
     let companions = companions(
         &request.name,

@@ -6,7 +6,7 @@ use crate::bits::{Event, Lane};
 use crate::case::walk::Walk;
 use crate::dda::{Op, Walker};
 use crate::format::Decode;
-use crate::vector::bench::Coverage;
+use crate::vector::bench::{Coverage, locate};
 use crate::vector::table::Table;
 
 impl WalkBench {
@@ -73,24 +73,46 @@ impl WalkBench {
         }
     }
 
+    /// A device before its load. Stimulus comes in words of the set's width, whatever the device's.
+    fn walker(&self, walk: &Walk) -> Walker {
+        let [init, dx, dy] = [walk.init, walk.dx, walk.dy].map(|word| signed(word, self.width));
+        let (dx, dy) = match self.quirk {
+            Quirk::Swapped => (dy, dx),
+            Quirk::Negated => (-dx, -dy),
+            Quirk::OnlyX => (dx, dx),
+            _ => (dx, dy),
+        };
+        Walker::new(self.read, init, dx, dy)
+    }
+
+    /// What a late device shows before its load: what the walk before this one left, or a reset.
+    fn left_before(&self, test: u64) -> (i128, u64) {
+        let late = matches!(self.quirk, Quirk::Late | Quirk::LateOut);
+        let at = test.checked_sub(1).filter(|_| late).and_then(|test| locate(&self.groups, test));
+        let walker = match at {
+            None => Walker::new(self.read, 0, 0, 0),
+            Some(at) => {
+                let walk = self.walk(at);
+                let mut walker = self.walker(&walk);
+                (0..walk.rows).for_each(|n| walker.clock(walk.op(n)));
+                walker
+            }
+        };
+        (walker.pattern().cast_signed(), self.result(&walker))
+    }
+
     /// The plain body: any width, any clamp, any quirk.
     pub(super) fn emit_plain(
         &self,
         walk: &Walk,
-        rows: u32,
+        (test, rows): (u64, u32),
         table: &mut Table,
         coverage: &mut Coverage,
     ) {
         let quirk = self.quirk;
-        let (dx, dy) = match quirk {
-            Quirk::Swapped => (walk.dy, walk.dx),
-            Quirk::Negated => (-walk.dx, -walk.dy),
-            Quirk::OnlyX => (walk.dx, walk.dx),
-            _ => (walk.dx, walk.dy),
-        };
-        let mut walker = Walker::new(self.read, walk.init, dx, dy);
+        let mut walker = self.walker(walk);
         let octant = Coverage::octant(signed(walk.dx, self.width), signed(walk.dy, self.width));
-        let mut before = (0, 0);
+        let mut before = self.left_before(test);
         for n in 0..rows {
             let op = walk.op(n);
             let done = if quirk == Quirk::HoldSteps && op == Op::Hold { Op::StepX } else { op };
