@@ -108,15 +108,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     (window.width, window.height) =
         arguments.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
     profile.validate().map_err(Failure::input)?;
-    if u64::from(profile.window.width) * u64::from(profile.window.height) > 1 << 26 {
-        return Err(
-            Failure::input("a picture has at most 2^26 pixels").hint("name a smaller --window")
-        );
+    let (width, height) = (profile.window.width, profile.window.height);
+    let zoom = arguments.zoom.unwrap_or_else(|| (256 / width.max(height)).max(1));
+    if u64::from(width) * u64::from(height) * u64::from(zoom).pow(2) > 1 << 26 {
+        let hint = "name a smaller --window or --zoom";
+        return Err(Failure::input("a picture has at most 2^26 pixels").hint(hint));
     }
     let scene = sets::snap_scene(&profile, &arguments.scene)?;
     let view = View { scissor: arguments.scissor, ..View::default() };
     let model = Model::with_view(&profile, view).map_err(Failure::input)?;
-    let (width, height) = (profile.window.width, profile.window.height);
     let pixels = width as usize * height as usize;
     let mut canvas = Canvas {
         width,
@@ -131,7 +131,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         draw(&model, &scene.triangles, &mut canvas)
     };
     colour(arguments.show, &mut canvas);
-    let zoom = arguments.zoom.unwrap_or_else(|| (256 / width.max(height)).max(1));
     write_png(arguments, &canvas, (width, height), zoom)?;
     let mut output = Output::new();
     output.line(format!(
