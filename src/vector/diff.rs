@@ -82,9 +82,9 @@ pub fn sets(left: &OpenSet, right: &OpenSet) -> std::io::Result<Vec<Change>> {
             manifest.files.iter().find(|file| file.name == *name).cloned()
         };
         match (find(a), find(b)) {
-            (Some(mine), Some(theirs)) if mine.sha256 == theirs.sha256 => {}
+            // The bytes decide: what a manifest lists is what the file once was.
             (Some(_), Some(_)) => {
-                changes.push(files(name, &left.folder.join(name), &right.folder.join(name))?);
+                changes.extend(files(name, &left.folder.join(name), &right.folder.join(name))?);
             }
             (mine, theirs) => {
                 let show = |file: Option<super::manifest::FileEntry>| {
@@ -97,14 +97,15 @@ pub fn sets(left: &OpenSet, right: &OpenSet) -> std::io::Result<Vec<Change>> {
     Ok(changes)
 }
 
-/// Two files that differ: how many lines, and the first.
-fn files(name: &str, left: &Path, right: &Path) -> std::io::Result<Change> {
-    let mut mine = BufReader::new(File::open(left)?).split(b'\n');
-    let mut theirs = BufReader::new(File::open(right)?).split(b'\n');
+/// How many lines of two files differ, and the first; `None` if all are the same.
+fn files(name: &str, left: &Path, right: &Path) -> std::io::Result<Option<Change>> {
+    let mut sides = [BufReader::new(File::open(left)?), BufReader::new(File::open(right)?)];
     let (mut line, mut differing, mut first) = (0u64, 0u64, None);
     loop {
-        let (a, b) = (mine.next().transpose()?, theirs.next().transpose()?);
-        if a.is_none() && b.is_none() {
+        let (mut a, mut b) = (Vec::new(), Vec::new());
+        sides[0].read_until(b'\n', &mut a)?;
+        sides[1].read_until(b'\n', &mut b)?;
+        if a.is_empty() && b.is_empty() {
             break;
         }
         line += 1;
@@ -113,13 +114,14 @@ fn files(name: &str, left: &Path, right: &Path) -> std::io::Result<Change> {
             first.get_or_insert((line, a, b));
         }
     }
-    let show = |text: Option<Vec<u8>>| {
-        text.map_or_else(
-            || "nothing".to_owned(),
-            |text| String::from_utf8_lossy(&text).into_owned(),
-        )
+    let show = |text: Vec<u8>| match text.strip_suffix(b"\n") {
+        _ if text.is_empty() => "nothing".to_owned(),
+        Some(whole) => String::from_utf8_lossy(whole).into_owned(),
+        None => format!("{} without a line's end", String::from_utf8_lossy(&text)),
     };
-    let (first, a, b) = first.unwrap_or((0, None, None));
-    let what = format!("{name} ({differing} of {line} lines, first {first})");
-    Ok(Change { what, left: show(a), right: show(b) })
+    Ok(first.map(|(first, a, b)| Change {
+        what: format!("{name} ({differing} of {line} lines, first {first})"),
+        left: show(a),
+        right: show(b),
+    }))
 }
