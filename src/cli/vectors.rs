@@ -249,6 +249,11 @@ fn print_test(request: &SetRequest, options: &Options, id: &str) -> Result<Outco
         return Err(Failure::input(message).hint(&format!("there are {}", known.join(" "))));
     };
     let specs = emit::files(&**bench, options.format);
+    if specs.is_empty() || options.format == RowFormat::Bin {
+        let format = options.format.extension();
+        return Err(Failure::input(format!("--format {format}: no lines to print for {id}"))
+            .hint("choose another --format, such as tv"));
+    }
     let mut tables: Vec<Table> =
         specs.iter().map(|spec| Table::new(options.format, &spec.columns)).collect();
     bench.emit(at, u64::MAX, &mut tables, &mut guardbit::vector::bench::Coverage::default());
@@ -266,12 +271,15 @@ fn print_test(request: &SetRequest, options: &Options, id: &str) -> Result<Outco
 /// Streams one file to standard output.
 fn stream(request: &SetRequest, options: &Options, file: &str) -> Result<Outcome, Failure> {
     let benches = benches(request, options);
-    let stem = file.strip_suffix(&format!(".{}", options.format.extension())).unwrap_or(file);
+    // The name may be that of the file in a set, endings and all.
+    let end = write::file_name("", options.format, options.zstd);
+    let stem = file.strip_suffix(&end).unwrap_or(file);
     let mut known = Vec::new();
     for bench in &benches {
         for (wanted, spec) in emit::files(&**bench, options.format).iter().enumerate() {
             if spec.stem == stem {
-                let mut sink = StreamOutput { wanted, output: std::io::stdout().lock() };
+                let output = std::io::stdout().lock();
+                let mut sink = StreamOutput { wanted, zstd: options.zstd, output };
                 emit::emit(&**bench, options.shard, options.count, options.format, &mut sink)
                     .and_then(|_| sink.output.flush())
                     .map_err(|error| Failure::io("standard output", &error))?;
@@ -286,12 +294,15 @@ fn stream(request: &SetRequest, options: &Options, file: &str) -> Result<Outcome
 
 struct StreamOutput {
     wanted: usize,
+    zstd: bool,
     output: std::io::StdoutLock<'static>,
 }
 
 impl emit::Output for StreamOutput {
     fn bytes(&mut self, file: usize, bytes: &[u8]) -> std::io::Result<bool> {
-        if file == self.wanted {
+        if file == self.wanted && self.zstd {
+            self.output.write_all(&write::compress(bytes))?;
+        } else if file == self.wanted {
             self.output.write_all(bytes)?;
         }
         Ok(true)

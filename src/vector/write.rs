@@ -289,6 +289,6 @@ impl Output for FileOutput<'_> {
 }
 
 /// One zstd frame; frames one after another are a valid stream.
-pub(super) fn compress(bytes: &[u8]) -> Vec<u8> {
+pub fn compress(bytes: &[u8]) -> Vec<u8> {
     ruzstd::encoding::compress_to_vec(bytes, ruzstd::encoding::CompressionLevel::Fastest)
 }
