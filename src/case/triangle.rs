@@ -208,7 +208,9 @@ impl Stimulus {
         let ties = self.scale + 1;
         let (p, q) = (1i128 << ties.div_ceil(2), 1i128 << (ties / 2));
         let [x, y] = self.window.map(|side| side * self.pixel / 2);
-        for [dx, dy] in [[1, 1], [1, -1], [-1, 1], [-1, -1]] {
+        // From the window's corner too, for fields too small for those about its middle.
+        let turns = [[1, 1], [1, -1], [-1, 1], [-1, -1]].map(|turn| ([x, y], turn));
+        for ([x, y], [dx, dy]) in turns.into_iter().chain([([0, 0], [1, 1])]) {
             let at = |u: i128, v: i128| [[x + dx * u, y + dy * v], [x + dx * v, y + dy * u]];
             let (b, c) = (at(p, 1), at(p, 1 + q));
             for axes in 0..2 {

@@ -209,7 +209,7 @@ static inline int guardbit_edge_exp_parse(const char *line, struct guardbit_edge
 }
 
 /* setup.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SETUP_CFG_ROWS UINT64_C(192)
+#define GUARDBIT_SETUP_CFG_ROWS UINT64_C(200)
 #define GUARDBIT_SETUP_CFG_LINE 18
 #define GUARDBIT_SETUP_CFG_BITS 36
 /* x0: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels. */
@@ -294,7 +294,7 @@ static inline int guardbit_setup_cfg_parse(const char *line, struct guardbit_set
 }
 
 /* setup.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SETUP_EXP_ROWS UINT64_C(192)
+#define GUARDBIT_SETUP_EXP_ROWS UINT64_C(200)
 #define GUARDBIT_SETUP_EXP_LINE 38
 #define GUARDBIT_SETUP_EXP_BITS 100
 /* e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored. */
@@ -411,7 +411,7 @@ static inline int guardbit_setup_exp_parse(const char *line, struct guardbit_set
 }
 
 /* triangle.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_TRIANGLE_CFG_ROWS UINT64_C(122)
+#define GUARDBIT_TRIANGLE_CFG_ROWS UINT64_C(130)
 #define GUARDBIT_TRIANGLE_CFG_LINE 71
 #define GUARDBIT_TRIANGLE_CFG_BITS 212
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -568,7 +568,7 @@ static inline int guardbit_triangle_cfg_parse(const char *line, struct guardbit_
 }
 
 /* triangle.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_TRIANGLE_EXP_ROWS UINT64_C(122)
+#define GUARDBIT_TRIANGLE_EXP_ROWS UINT64_C(130)
 #define GUARDBIT_TRIANGLE_EXP_LINE 65
 #define GUARDBIT_TRIANGLE_EXP_BITS 228
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -645,7 +645,7 @@ static inline int guardbit_triangle_exp_parse(const char *line, struct guardbit_
 }
 
 /* span.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SPAN_EXP_ROWS UINT64_C(113)
+#define GUARDBIT_SPAN_EXP_ROWS UINT64_C(133)
 #define GUARDBIT_SPAN_EXP_LINE 27
 #define GUARDBIT_SPAN_EXP_BITS 92
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -690,7 +690,7 @@ static inline int guardbit_span_exp_parse(const char *line, struct guardbit_span
 }
 
 /* depth.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_DEPTH_EXP_ROWS UINT64_C(153)
+#define GUARDBIT_DEPTH_EXP_ROWS UINT64_C(193)
 #define GUARDBIT_DEPTH_EXP_LINE 23
 #define GUARDBIT_DEPTH_EXP_BITS 76
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */

@@ -133,7 +133,7 @@ package guardbit_pkg;
     } edge_exp_t;
 
     // setup.cfg.tv
-    localparam logic [63:0] SETUP_CFG_ROWS = 64'd192;
+    localparam logic [63:0] SETUP_CFG_ROWS = 64'd200;
     localparam int SETUP_CFG_LINE = 18;  // characters of a line with its newline
     localparam int SETUP_CFG_BITS = 36;  // four a digit
     localparam logic [35:0] SETUP_CFG_PADS = 36'h008008008;  // zero in every record
@@ -189,7 +189,7 @@ package guardbit_pkg;
     } setup_cfg_t;
 
     // setup.exp.tv
-    localparam logic [63:0] SETUP_EXP_ROWS = 64'd192;
+    localparam logic [63:0] SETUP_EXP_ROWS = 64'd200;
     localparam int SETUP_EXP_LINE = 38;  // characters of a line with its newline
     localparam int SETUP_EXP_BITS = 100;  // four a digit
     localparam logic [99:0] SETUP_EXP_PADS = 100'hc0c0c0c0c0c0c0c0c0808080e;  // zero in every record
@@ -275,7 +275,7 @@ package guardbit_pkg;
     } setup_exp_t;
 
     // triangle.cfg.tv
-    localparam logic [63:0] TRIANGLE_CFG_ROWS = 64'd122;
+    localparam logic [63:0] TRIANGLE_CFG_ROWS = 64'd130;
     localparam int TRIANGLE_CFG_LINE = 71;  // characters of a line with its newline
     localparam int TRIANGLE_CFG_BITS = 212;  // four a digit
     localparam logic [211:0] TRIANGLE_CFG_PADS = 212'h00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000;  // zero in every record
@@ -390,7 +390,7 @@ package guardbit_pkg;
     } triangle_cfg_t;
 
     // triangle.exp.tv
-    localparam logic [63:0] TRIANGLE_EXP_ROWS = 64'd122;
+    localparam logic [63:0] TRIANGLE_EXP_ROWS = 64'd130;
     localparam int TRIANGLE_EXP_LINE = 65;  // characters of a line with its newline
     localparam int TRIANGLE_EXP_BITS = 228;  // four a digit
     localparam logic [227:0] TRIANGLE_EXP_PADS = 228'h00000000000000000000000000000000000000000000000000000000e;  // zero in every record
@@ -439,7 +439,7 @@ package guardbit_pkg;
     } triangle_exp_t;
 
     // span.exp.tv
-    localparam logic [63:0] SPAN_EXP_ROWS = 64'd113;
+    localparam logic [63:0] SPAN_EXP_ROWS = 64'd133;
     localparam int SPAN_EXP_LINE = 27;  // characters of a line with its newline
     localparam int SPAN_EXP_BITS = 92;  // four a digit
     localparam logic [91:0] SPAN_EXP_PADS = 92'h00000000e0000e0000e0000;  // zero in every record
@@ -470,7 +470,7 @@ package guardbit_pkg;
     } span_exp_t;
 
     // depth.exp.tv
-    localparam logic [63:0] DEPTH_EXP_ROWS = 64'd153;
+    localparam logic [63:0] DEPTH_EXP_ROWS = 64'd193;
     localparam int DEPTH_EXP_LINE = 23;  // characters of a line with its newline
     localparam int DEPTH_EXP_BITS = 76;  // four a digit
     localparam logic [75:0] DEPTH_EXP_PADS = 76'h00000000e0000e00008;  // zero in every record

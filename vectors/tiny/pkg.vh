@@ -139,7 +139,7 @@
 `define GUARDBIT_EDGE_EXP_IN_V(row) row[0:0]
 
 // setup.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SETUP_CFG_ROWS 64'd192
+`define GUARDBIT_SETUP_CFG_ROWS 64'd200
 `define GUARDBIT_SETUP_CFG_LINE 18
 `define GUARDBIT_SETUP_CFG_BITS 36
 `define GUARDBIT_SETUP_CFG_PADS 36'h008008008
@@ -208,7 +208,7 @@
 `define GUARDBIT_SETUP_CFG_Z2(row) row[2:0]
 
 // setup.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SETUP_EXP_ROWS 64'd192
+`define GUARDBIT_SETUP_EXP_ROWS 64'd200
 `define GUARDBIT_SETUP_EXP_LINE 38
 `define GUARDBIT_SETUP_EXP_BITS 100
 `define GUARDBIT_SETUP_EXP_PADS 100'hc0c0c0c0c0c0c0c0c0808080e
@@ -305,7 +305,7 @@
 `define GUARDBIT_SETUP_EXP_ZERO_AREA(row) row[0:0]
 
 // triangle.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_TRIANGLE_CFG_ROWS 64'd122
+`define GUARDBIT_TRIANGLE_CFG_ROWS 64'd130
 `define GUARDBIT_TRIANGLE_CFG_LINE 71
 `define GUARDBIT_TRIANGLE_CFG_BITS 212
 `define GUARDBIT_TRIANGLE_CFG_PADS 212'h00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000
@@ -437,7 +437,7 @@
 `define GUARDBIT_TRIANGLE_CFG_Y1(row) row[16:0]
 
 // triangle.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_TRIANGLE_EXP_ROWS 64'd122
+`define GUARDBIT_TRIANGLE_EXP_ROWS 64'd130
 `define GUARDBIT_TRIANGLE_EXP_LINE 65
 `define GUARDBIT_TRIANGLE_EXP_BITS 228
 `define GUARDBIT_TRIANGLE_EXP_PADS 228'h00000000000000000000000000000000000000000000000000000000e
@@ -499,7 +499,7 @@
 `define GUARDBIT_TRIANGLE_EXP_ZERO_AREA(row) row[0:0]
 
 // span.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SPAN_EXP_ROWS 64'd113
+`define GUARDBIT_SPAN_EXP_ROWS 64'd133
 `define GUARDBIT_SPAN_EXP_LINE 27
 `define GUARDBIT_SPAN_EXP_BITS 92
 `define GUARDBIT_SPAN_EXP_PADS 92'h00000000e0000e0000e0000
@@ -533,7 +533,7 @@
 `define GUARDBIT_SPAN_EXP_X1(row) row[16:0]
 
 // depth.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_DEPTH_EXP_ROWS 64'd153
+`define GUARDBIT_DEPTH_EXP_ROWS 64'd193
 `define GUARDBIT_DEPTH_EXP_LINE 23
 `define GUARDBIT_DEPTH_EXP_BITS 76
 `define GUARDBIT_DEPTH_EXP_PADS 76'h00000000e0000e00008

@@ -125,7 +125,7 @@ package guardbit_pkg is
     function to_edge_exp(bits : std_logic_vector) return edge_exp_t;
 
     -- setup.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant SETUP_CFG_ROWS : unsigned(63 downto 0) := x"00000000000000c0";  -- 192
+    constant SETUP_CFG_ROWS : unsigned(63 downto 0) := x"00000000000000c8";  -- 200
     constant SETUP_CFG_LINE : positive := 17;
     constant SETUP_CFG_BITS : positive := 36;
     constant SETUP_CFG_PADS : std_logic_vector(35 downto 0) := x"008008008";
@@ -179,7 +179,7 @@ package guardbit_pkg is
     function to_setup_cfg(bits : std_logic_vector) return setup_cfg_t;
 
     -- setup.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant SETUP_EXP_ROWS : unsigned(63 downto 0) := x"00000000000000c0";  -- 192
+    constant SETUP_EXP_ROWS : unsigned(63 downto 0) := x"00000000000000c8";  -- 200
     constant SETUP_EXP_LINE : positive := 37;
     constant SETUP_EXP_BITS : positive := 100;
     constant SETUP_EXP_PADS : std_logic_vector(99 downto 0) := x"c0c0c0c0c0c0c0c0c0808080e";
@@ -253,7 +253,7 @@ package guardbit_pkg is
     function to_setup_exp(bits : std_logic_vector) return setup_exp_t;
 
     -- triangle.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant TRIANGLE_CFG_ROWS : unsigned(63 downto 0) := x"000000000000007a";  -- 122
+    constant TRIANGLE_CFG_ROWS : unsigned(63 downto 0) := x"0000000000000082";  -- 130
     constant TRIANGLE_CFG_LINE : positive := 70;
     constant TRIANGLE_CFG_BITS : positive := 212;
     constant TRIANGLE_CFG_PADS : std_logic_vector(211 downto 0) := x"00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000";
@@ -352,7 +352,7 @@ package guardbit_pkg is
     function to_triangle_cfg(bits : std_logic_vector) return triangle_cfg_t;
 
     -- triangle.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant TRIANGLE_EXP_ROWS : unsigned(63 downto 0) := x"000000000000007a";  -- 122
+    constant TRIANGLE_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000082";  -- 130
     constant TRIANGLE_EXP_LINE : positive := 64;
     constant TRIANGLE_EXP_BITS : positive := 228;
     constant TRIANGLE_EXP_PADS : std_logic_vector(227 downto 0) := x"00000000000000000000000000000000000000000000000000000000e";
@@ -401,7 +401,7 @@ package guardbit_pkg is
     function to_triangle_exp(bits : std_logic_vector) return triangle_exp_t;
 
     -- span.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant SPAN_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000071";  -- 113
+    constant SPAN_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000085";  -- 133
     constant SPAN_EXP_LINE : positive := 26;
     constant SPAN_EXP_BITS : positive := 92;
     constant SPAN_EXP_PADS : std_logic_vector(91 downto 0) := x"00000000e0000e0000e0000";
@@ -430,7 +430,7 @@ package guardbit_pkg is
     function to_span_exp(bits : std_logic_vector) return span_exp_t;
 
     -- depth.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant DEPTH_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000099";  -- 153
+    constant DEPTH_EXP_ROWS : unsigned(63 downto 0) := x"00000000000000c1";  -- 193
     constant DEPTH_EXP_LINE : positive := 22;
     constant DEPTH_EXP_BITS : positive := 76;
     constant DEPTH_EXP_PADS : std_logic_vector(75 downto 0) := x"00000000e0000e00008";
