@@ -22,7 +22,7 @@ use std::process::ExitCode;
 /// Bit-exact fixed-point reference model for triangle rasterization hardware.
 ///
 /// Exit status: 0 good, 1 a mismatch or unmet claim was found, 2 usage or bad input, 3 input or
-/// output failed.
+/// output failed, 130 interrupted.
 #[derive(Debug, Parser)]
 #[command(name = "guardbit", version, max_term_width = 100, color = clap::ColorChoice::Auto)]
 struct Arguments {

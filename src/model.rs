@@ -45,9 +45,6 @@ pub enum PrimitiveError {
     /// The machine refused it.
     #[error(transparent)]
     Draw(#[from] DrawError),
-    /// Depth was given to a profile without depth.
-    #[error("the profile has no [depth]: give vertices as [x, y]")]
-    NoDepth,
 }
 
 impl Model {
@@ -118,7 +115,7 @@ impl Model {
     }
 
     /// Brings a scene's triangle to the profile's grid: integers are checked, reals are snapped.
-    /// Depth is dropped where the profile has none and the triangle comes from a mesh.
+    /// Depth is dropped where the profile has none.
     ///
     /// # Errors
     /// [`PrimitiveError`] for a vertex outside the field: never a wrap.
@@ -134,9 +131,7 @@ impl Model {
                         xy[n][axis] = vertex.accept(n, axis, *value)?;
                     }
                 }
-                if z.is_some() && self.profile.depth.is_none() {
-                    return Err(PrimitiveError::NoDepth);
-                }
+                let z = z.filter(|_| self.profile.depth.is_some());
                 for (n, value) in z.iter().flatten().enumerate() {
                     depths[n] = in_depth(n, *value, depth_range)?;
                 }

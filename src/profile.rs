@@ -12,6 +12,7 @@ pub use neighbour::{Neighbour, neighbours};
 use crate::cover::{
     EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleError, SampleGrid,
 };
+use crate::format::ReadOutError;
 use crate::machine::{EdgeWalkConfig, EdgeWalkError};
 use crate::setup::{VertexConfig, VertexError};
 use crate::value::{DepthConfig, DepthError};
@@ -108,7 +109,8 @@ impl InvalidProfile {
             Self::Sample(_) => &["sample"],
             Self::EdgeWord(_) => &["form", "edge-function", "width"],
             Self::EdgeWalk(_) => &["form", "edge-walk"],
-            Self::Depth(DepthError::ReadOut(_)) => &["depth", "integer"],
+            Self::Depth(DepthError::ReadOut(ReadOutError::Integer { .. })) => &["depth", "integer"],
+            Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
             Self::Depth(DepthError::Growth { .. }) => &["depth", "interpolation"],
         }

@@ -4,6 +4,7 @@ use super::Outcome;
 use super::failure::Failure;
 use guardbit::model::{Drawing, Model, View};
 use guardbit::profile;
+use guardbit::scene::Triangle;
 use guardbit::scene::lines::{self, Primitive};
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
@@ -53,9 +54,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
         answer.clear();
         if read as u64 == LONGEST && line.last() != Some(&b'\n') {
-            return Err(Failure::input(format!("line {number}: longer than {LONGEST} bytes")));
+            input.skip_until(b'\n').map_err(|error| Failure::io("standard input", &error))?;
+            let message = format!("line {number}: longer than {LONGEST} bytes");
+            let _ = write!(answer, "{{\"id\": null, \"error\": \"{message}\"}}");
+            all_good = false;
+        } else {
+            all_good &= reply(&model, &line, number, &mut drawing, &mut answer);
         }
-        all_good &= reply(&model, &line, number, &mut drawing, &mut answer);
         answer.push('\n');
         output
             .write_all(answer.as_bytes())
@@ -101,6 +106,14 @@ fn reply(
             return refuse(answer, id, &message);
         }
     };
+    let (form, has_depth) = match triangle {
+        Triangle::Lattice { z, .. } => ("v", z.is_some()),
+        Triangle::Real { z, .. } => ("f", z.is_some()),
+    };
+    if has_depth && model.depth().is_none() {
+        let message = format!("field `{form}`: the profile has no [depth], so a vertex is [x, y]");
+        return refuse(answer, id, &message);
+    }
     drawing.clear();
     let drawn = model.snap(triangle).and_then(|triangle| {
         model.draw(&triangle, drawing)?;

@@ -42,6 +42,12 @@ pub(crate) fn write_whole(
     path: &Path,
     write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>,
 ) -> Result<(), Failure> {
+    // A device or a pipe is written to as it is: a rename would put a file in its place.
+    if std::fs::metadata(path).is_ok_and(|there| !there.is_file()) {
+        return File::create(path)
+            .and_then(|file| write(BufWriter::new(file)))
+            .map_err(|error| Failure::io(&path.display().to_string(), &error));
+    }
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let aside = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
     let result = File::create(&aside)

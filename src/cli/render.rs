@@ -48,7 +48,8 @@ enum Show {
     Depth,
     /// Samples hit: once green, twice yellow, more often toward red.
     Coverage,
-    /// Worst depth error a pixel, blue 0 to red 1 ULP and above; white missing, magenta extra.
+    /// Worst depth error a pixel, blue 0 to red the worst of the picture; white is a missing
+    /// sample, magenta one too many.
     Error,
 }
 
@@ -240,12 +241,14 @@ fn colour(show: Show, canvas: &mut Canvas) {
             }
         }
         Show::Error => {
+            let seen = canvas.worst.iter().flatten().filter(|worst| **worst < EXTRA);
+            let scale = seen.fold(0.0, |a: f64, b| a.max(*b)).max(f64::MIN_POSITIVE);
             for (pixel, worst) in canvas.colour.iter_mut().zip(&canvas.worst) {
                 *pixel = match worst {
                     None => BACKGROUND,
                     Some(worst) if worst.is_infinite() => [255, 255, 255],
                     Some(worst) if *worst >= EXTRA => [255, 0, 255],
-                    Some(worst) => heat(worst.min(1.0)),
+                    Some(worst) => heat(worst / scale),
                 };
             }
         }

@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let found =
         benches.iter().find_map(|bench| Some((bench, find_test(&**bench, &arguments.test)?)));
     let Some((bench, at)) = found else {
-        let hint = "guardbit vectors --only ? lists the classes";
+        let hint = "an id is BENCH/CLASS/INDEX; `guardbit vectors --only none` lists the classes";
         return Err(Failure::input(format!("no test {:?}", arguments.test)).hint(hint));
     };
     let files = emit::test_rows(&**bench, at);

@@ -213,8 +213,12 @@ fn write_failure(out: &Path, error: &std::io::Error) -> Failure {
                 .hint("choose another --out, or replace it with --force")
         }
         ErrorKind::DirectoryNotEmpty => {
-            let message = "holds no vector set, and --force replaces nothing else";
-            Failure::input(format!("{} {message}", out.display())).hint("choose another --out")
+            Failure::input(format!("{error}, and --force replaces nothing else"))
+                .hint("move it away, or choose another --out")
+        }
+        ErrorKind::NotADirectory => {
+            Failure::input(format!("{}: a file is in the way", out.display()))
+                .hint("choose another --out")
         }
         ErrorKind::Interrupted => Failure::interrupted("interrupted: nothing was left behind"),
         _ => Failure::io(&out.display().to_string(), error),

@@ -106,6 +106,11 @@ fn compare(
     if report.short {
         output.line("the dump ends before the set does: a simulation that stopped early?")?;
     }
+    if !report.disagrees {
+        output.line("every row of the dump agrees: it only stopped early")?;
+        output.flush()?;
+        return Ok(Outcome::Mismatch);
+    }
     match &report.causes[..] {
         [] => output.line(format!(
             "cause: none of {} single changes explains the whole dump",

@@ -33,21 +33,22 @@ impl Signal<'_> {
     }
 }
 
-/// Configuration first; then the first expectation file, whose rows are the clocks.
+/// The rows of the last file are the clocks: a walk's steps, a triangle's covered samples. Files
+/// of one row, such as its configuration, stand beside them unchanged. A name is shown once.
 fn signals(files: &Files) -> (Vec<Signal<'_>>, usize) {
-    let clocks = files.get(1).map_or(0, |(_, rows)| rows.len());
-    let list = files
-        .iter()
-        .take(2)
-        .flat_map(|(spec, rows)| {
-            spec.columns.iter().enumerate().map(move |(column, shape)| Signal {
-                name: &shape.name,
-                width: shape.width,
-                rows,
-                column,
-            })
-        })
-        .collect();
+    let last = files.len().saturating_sub(1);
+    let clocks = files.get(last).map_or(0, |(_, rows)| rows.len());
+    let mut list: Vec<Signal<'_>> = Vec::new();
+    for (n, (spec, rows)) in files.iter().enumerate() {
+        if n < last && rows.len() != 1 {
+            continue;
+        }
+        for (column, shape) in spec.columns.iter().enumerate() {
+            // What varies is worth more than what stands still under the same name.
+            list.retain(|signal| signal.name != shape.name);
+            list.push(Signal { name: &shape.name, width: shape.width, rows, column });
+        }
+    }
     (list, clocks)
 }
 

@@ -31,6 +31,21 @@ pub enum EdgeWalkError {
     /// The word is malformed.
     #[error(transparent)]
     Word(#[from] ReadOutError),
+    /// Comparing x with a sample outgrows 128-bit arithmetic.
+    #[error(
+        "guard + integer + fraction + sub-pixel = {guard} + {integer} + {fraction} + {sub_pixel} > 126: \
+         comparing x with a sample would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+    )]
+    Compare {
+        /// Guard bits.
+        guard: u32,
+        /// Integer bits.
+        integer: u32,
+        /// Fraction bits of x.
+        fraction: u32,
+        /// Sub-pixel bits of the vertex field.
+        sub_pixel: u32,
+    },
     /// The exact numerators outgrow 128-bit arithmetic.
     #[error(
         "2 * vertex difference bits + 2 + fraction = 2 * {difference} + 2 + {fraction} > 126: \
@@ -67,6 +82,10 @@ impl EdgeWalkConfig {
     pub fn validate(&self, vertex: &VertexConfig) -> Result<ReadOut, EdgeWalkError> {
         let (difference, fraction) = (vertex.difference_bits(), self.fraction);
         let read = ReadOut::new(self.guard, self.integer, fraction, Clamp::Guard)?;
+        let (guard, integer, sub_pixel) = (self.guard, self.integer, vertex.sub_pixel);
+        if read.width() + sub_pixel > 126 {
+            return Err(EdgeWalkError::Compare { guard, integer, fraction, sub_pixel });
+        }
         if 2 * difference + 2 + fraction > 126 {
             return Err(EdgeWalkError::Growth { difference, fraction });
         }

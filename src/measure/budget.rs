@@ -138,9 +138,8 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
             fact("clamp", depth.clamp.name()),
         ];
         if !matches!(depth.clamp, crate::format::Clamp::Saturate) {
-            let last = dyadic(limit - 1, read.fraction());
-            facts
-                .push(fact("range", &format!("{} to {last} ULP", dyadic(lowest, read.fraction()))));
+            let [from, to] = [lowest, limit].map(|end| dyadic(end, read.fraction()));
+            facts.push(fact("range", &format!("[{from}, {to}) ULP")));
         }
         facts.extend([
             fact("resolution", &format!("2^-{} ULP", depth.interpolation)),

@@ -51,7 +51,8 @@ impl List<'_> {
             changed.depth.iter_mut().for_each(change);
             changed
         };
-        for clamp in Clamp::ALL {
+        // A device cannot refuse: under `error` it answers as under `guard`.
+        for clamp in Clamp::ALL.into_iter().filter(|clamp| *clamp != Clamp::Error) {
             let changed = with(&|d| d.clamp = clamp);
             self.add("depth.clamp", &clamp.name(), &depth.clamp.name(), changed);
         }
@@ -75,7 +76,7 @@ impl List<'_> {
             Division::Quotient => "an exact quotient".to_owned(),
             Division::Reciprocal { bits } => format!("a reciprocal of {bits} bits"),
         };
-        for bits in [12, 16, 18, 20, 24, 32] {
+        for bits in 8..=32 {
             let changed = with(&|d| d.division = Division::Reciprocal { bits });
             self.add("depth.division", &format!("a reciprocal of {bits} bits"), &was, changed);
         }

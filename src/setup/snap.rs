@@ -16,7 +16,8 @@ pub enum Source {
     F64,
 }
 
-/// What an infinite or too large real number becomes; a NaN has its own answer beside it.
+/// What a real number without a place on any grid becomes: an infinity, a number beyond 2^126
+/// sub-pixels, a NaN. A finite number outside the field is refused whatever is chosen here.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Endless {
@@ -42,7 +43,7 @@ pub struct VertexConfig {
     pub snap: Rounding,
     /// The type real coordinates arrive in.
     pub source: Source,
-    /// Infinities, overlarge numbers and NaN.
+    /// Infinities and NaN.
     pub endless: Endless,
 }
 
@@ -158,11 +159,10 @@ impl VertexConfig {
         };
         let snapped = snap_f64(value, fraction, self.snap);
         match (snapped, self.endless) {
-            (Some(value), Endless::Refuse) if (low..=high).contains(&value) => Ok(value),
-            (Some(value), Endless::Refuse) => {
+            (Some(value), _) if (low..=high).contains(&value) => Ok(value),
+            (Some(value), _) => {
                 Err(VertexError::Outside { form: 'f', vertex, axis, value, low, high })
             }
-            (Some(value), Endless::Clamp) => Ok(value.clamp(low, high)),
             (None, Endless::Clamp) if value.is_nan() => Ok(0i128.clamp(low, high)),
             (None, Endless::Clamp) => Ok(if value > 0.0 { high } else { low }),
             (None, Endless::Refuse) => {

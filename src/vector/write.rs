@@ -1,6 +1,7 @@
 //! Writing sets: built aside, streamed, renamed when whole. Spec clauses `N-6` to `N-11`.
 
 mod finish;
+mod place;
 
 pub use finish::{account, companions, scene_text};
 
@@ -12,6 +13,7 @@ use super::table::RowFormat;
 use crate::profile::Profile;
 use crate::setup::Triangle;
 use finish::finish;
+use place::Place;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::fs::File;
@@ -102,8 +104,9 @@ impl SetIndex {
 /// Writes one set into `out` itself, or several, each a folder below it with an index beside them.
 ///
 /// # Errors
-/// Whatever the file system answers; `AlreadyExists` when `out` is there and `force` is not;
-/// `DirectoryNotEmpty` when it is there, `force` is, and it is no set to replace; `Interrupted` when the monitor cancelled. Nothing is left behind in either case.
+/// Whatever the file system answers; `AlreadyExists` when `out` is occupied and `force` is not
+/// given; `DirectoryNotEmpty` when it is, but something there is no part of a set;
+/// `Interrupted` when the monitor cancelled. Nothing is left behind, and what was there before stays.
 pub fn write(
     requests: &[SetRequest],
     out: &Path,
@@ -111,43 +114,13 @@ pub fn write(
     options: &Options,
     monitor: &Monitor,
 ) -> Result<Vec<Manifest>> {
-    if is_occupied(out) {
-        if !options.force {
-            return Err(Error::from(ErrorKind::AlreadyExists));
-        }
-        // Replacing deletes: only what a run of this command left there.
-        if ![manifest::NAME, INDEX].iter().any(|name| out.join(name).is_file()) {
-            return Err(Error::from(ErrorKind::DirectoryNotEmpty));
-        }
-    }
-    let aside = aside(out);
-    let result = build(requests, &aside, nested, options, monitor).and_then(|manifests| {
-        if options.force && out.exists() {
-            std::fs::remove_dir_all(out)?;
-        }
-        // An empty folder in the way is as good as none.
-        let _ = std::fs::remove_dir(out);
-        std::fs::rename(&aside, out)?;
-        Ok(manifests)
-    });
+    let place = Place::new(out, options.force)?;
+    let result = build(requests, place.aside(), nested, options, monitor)
+        .and_then(|manifests| place.settle().map(|()| manifests));
     if result.is_err() {
-        let _ = std::fs::remove_dir_all(&aside);
+        place.clear();
     }
     result
-}
-
-/// Whether a folder (or anything else) is in the way; an empty folder is not.
-fn is_occupied(out: &Path) -> bool {
-    match std::fs::read_dir(out) {
-        Ok(mut entries) => entries.next().is_some(),
-        Err(error) => error.kind() != ErrorKind::NotFound,
-    }
-}
-
-/// A sibling of `out` to build in, so that the rename stays on one file system.
-fn aside(out: &Path) -> PathBuf {
-    let name = out.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    out.with_file_name(format!(".{name}.partial-{}", std::process::id()))
 }
 
 /// What one bench of one set became.

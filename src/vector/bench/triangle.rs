@@ -1,6 +1,7 @@
 //! The `setup` bench (vertices in, words out) and the `triangle` bench (words in; spans, depths
 //! and events out).
 
+mod device;
 mod quirk;
 mod word;
 
@@ -8,9 +9,8 @@ use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::bits::Event;
 use crate::case::Words;
 use crate::case::triangle::{self, Directed, Stimulus};
-use crate::machine::WalkedEdge;
 use crate::model::{Drawing, Model, Span};
-use crate::profile::{Form, neighbours};
+use crate::profile::neighbours;
 use crate::setup::{Gradient, Triangle};
 use crate::vector::table::Table;
 use std::fmt::Write as _;
@@ -95,66 +95,11 @@ impl TriangleBench {
         self.stimulus.random(words, self.draws.then_some(REACH))
     }
 
-    fn drawn(&self, triangle: &Triangle) -> Drawing {
-        let mut drawing = Drawing::default();
-        // A device without the swap sees a negative area and, inside being positive, no samples.
-        if self.quirk == Quirk::NoSwap && triangle.area2() < 0 {
-            drawing.setup = self.unturned(triangle);
-            return drawing;
-        }
-        // The clamp mode `error` refuses a triangle: it then has no rows.
-        if self.model.draw(triangle, &mut drawing).is_err() {
-            drawing.spans.clear();
-            drawing.depth.clear();
-        }
-        drawing
-    }
-
-    /// Set-up words of a triangle of negative area, edges in the order given. The plane is the same.
-    fn unturned(&self, triangle: &Triangle) -> Vec<i128> {
-        let Ok(grid) = self.model.profile().grid() else { return Vec::new() };
-        let mut words = Vec::new();
-        match self.model.profile().form {
-            Form::EdgeFunction(edges) => {
-                let edges = edges.words(triangle, &grid);
-                for k in 0..3 {
-                    words.extend([edges.value[k], edges.step_x[k], edges.step_y[k]]);
-                }
-            }
-            Form::EdgeWalk(walk) => {
-                for k in 0..3 {
-                    let edge = walk.edge(triangle.xy[k], triangle.xy[(k + 1) % 3], &grid);
-                    let words_of = |e: WalkedEdge| [e.start, e.slope, e.first_row, e.end_row];
-                    words.extend(edge.map_or([0; 4], words_of));
-                }
-            }
-        }
-        let turned = triangle.normalised();
-        if let (Some(depth), Some(z)) = (self.model.depth(), turned.z) {
-            let plane = depth.plane(&turned, z, &grid);
-            words.extend([plane.start, plane.dx, plane.dy]);
-        }
-        words
-    }
-
-    /// Depths of a span: those drawn, and beyond them what the plane goes on to give.
-    fn depths(&self, triangle: &Triangle, span: &Span) -> Vec<u64> {
-        let mut values = vec![0; (span.x1 - span.x0) as usize];
-        let turned = triangle.normalised();
-        let grid = self.model.profile().grid();
-        if let (Some(depth), Some(z), Ok(grid)) = (self.model.depth(), turned.z, grid) {
-            // A quirk of the row's number leaves the row itself where it was.
-            let y = span.y - u32::from(self.quirk == Quirk::RowsLate);
-            depth.span(&depth.plane(&turned, z, &grid), y, span.x0, &mut values);
-        }
-        values
-    }
-
     fn emit_setup(&self, triangle: &Triangle, tables: &mut [Table], coverage: &mut Coverage) {
         let [cfg, exp] = tables else { return };
         cfg.push(&input_words(triangle, self.model.depth().is_some()));
         let drawing = self.drawn(triangle);
-        exp.push(&setup_words(&self.model, &drawing));
+        exp.push(&self.device_words(&drawing));
         self.note_setup(triangle, coverage);
     }
 
@@ -198,7 +143,7 @@ impl TriangleBench {
             Quirk::RightEndIncluded => Span { x1: span.x1 + 1, ..*span },
             Quirk::LeftEndExcluded => Span { x0: span.x0 + 1, ..*span },
             Quirk::RowsLate => Span { y: span.y + 1, ..*span },
-            Quirk::None | Quirk::NoSwap => *span,
+            Quirk::None | Quirk::NoSwap | Quirk::ZeroExtended => *span,
         }));
         rows.retain(|span| span.x0 < span.x1);
         let count = |event| i128::from(drawing.events.total.count(event));
@@ -222,7 +167,9 @@ impl TriangleBench {
             let width = (span.x1 - span.x0) as usize;
             // As drawn, unless a quirk moves the ends of spans.
             let values = match self.quirk {
-                Quirk::None | Quirk::NoSwap => drawing.depth.get(first..first + width),
+                Quirk::None | Quirk::NoSwap | Quirk::ZeroExtended => {
+                    drawing.depth.get(first..first + width)
+                }
                 _ => None,
             };
             let moved = if values.is_none() { self.depths(triangle, span) } else { Vec::new() };
@@ -330,10 +277,18 @@ impl Bench for TriangleBench {
         let mut list: Vec<(String, Box<dyn Bench>)> = Vec::new();
         for neighbour in neighbours(self.model.profile()) {
             let model = Arc::new(ready(&neighbour.profile, self.draws));
-            // Columns stay those of the set: a device is compared in the set's own widths.
-            if model.ports().setup.len() == self.model.ports().setup.len() {
-                list.push((neighbour.change, Box::new(Self { model, ..self.clone() })));
+            // Columns stay those of the set: a device is compared in the set's own widths, and
+            // narrower words may come with their sign or with zeros above them.
+            let (ours, theirs) = (&self.model.ports().setup, &model.ports().setup);
+            if theirs.len() != ours.len() {
+                continue;
             }
+            if theirs.iter().zip(ours).any(|(a, b)| a.width < b.width) {
+                let (model, quirk) = (Arc::clone(&model), Quirk::ZeroExtended);
+                let change = neighbour.change.clone();
+                list.push((change, Box::new(Self { model, quirk, ..self.clone() })));
+            }
+            list.push((neighbour.change, Box::new(Self { model, ..self.clone() })));
         }
         for (quirk, name) in QUIRKS {
             list.push((name.to_owned(), Box::new(Self { quirk, ..self.clone() })));

@@ -105,6 +105,7 @@ fn ordered(
             };
             report.rows += 1;
             if !agrees(words, &row) {
+                report.disagrees = true;
                 let number = report.expected_rows;
                 keep(report, most, || Mismatch {
                     row: Some(number),
@@ -117,6 +118,7 @@ fn ordered(
     }
     while let Some(row) = reader.next_row()? {
         report.rows += 1;
+        report.disagrees = true;
         keep(report, most, || Mismatch {
             row: None,
             line: Some(row.line),
@@ -159,6 +161,7 @@ fn keyed(
             last = number;
             let row = theirs.remove(found);
             if !agrees(words, &row) {
+                report.disagrees = true;
                 keep(report, most, || Mismatch {
                     row: Some(number),
                     line: Some(row.line),
@@ -168,6 +171,7 @@ fn keyed(
             }
         }
         for row in theirs {
+            report.disagrees = true;
             keep(report, most, || Mismatch {
                 row: None,
                 line: Some(row.line),
@@ -177,9 +181,11 @@ fn keyed(
         }
     }
     report.short = gap < u64::MAX && gap > last;
+    report.disagrees |= gap < last;
     let mut left: Vec<DumpRow> = map.into_values().flatten().collect();
     left.sort_by_key(|row| row.line);
     for row in left {
+        report.disagrees = true;
         let known = u64::try_from(row.words[0]).ok().and_then(|number| subject.test(number));
         let text = match known {
             Some(at) => extra_text(subject, at, &row),

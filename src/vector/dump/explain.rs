@@ -81,7 +81,8 @@ pub(super) fn causes(
             Some(map) => explains_keyed(subject, &**bench, map),
             None => explains_ordered(subject, &**bench, dump, short)?,
         };
-        if explained {
+        // A change can be tried in more than one guise.
+        if explained && !causes.contains(name) {
             causes.push(name.clone());
         }
     }

@@ -146,7 +146,11 @@ fn parse(text: &str, columns: &[Column], line: u64) -> Result<DumpRow, String> {
         for (column, ignored) in columns.iter().zip(&mut row.ignored) {
             let (mine, later) =
                 rest.split_at_checked(column.digits()).ok_or("mask is not ASCII")?;
-            *ignored = hexadecimal(mine, "mask", column.digits())?.0;
+            let (mask, unknown) = hexadecimal(mine, "mask", column.digits())?;
+            if unknown != 0 {
+                return Err(format!("the don't-care mask has unknown digits: {mine:?}"));
+            }
+            *ignored = mask;
             rest = later;
         }
     }

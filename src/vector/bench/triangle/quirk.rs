@@ -8,6 +8,8 @@ pub(super) enum Quirk {
     LeftEndExcluded,
     RowsLate,
     NoSwap,
+    /// Words narrower than the set's come with zeros above them, not with their sign.
+    ZeroExtended,
 }
 
 pub(super) const QUIRKS: [(Quirk, &str); 4] = [

@@ -1,7 +1,7 @@
 //! The words of a triangle test: columns, set-up, bounding box.
 
 use crate::cover::Rect;
-use crate::format::Column;
+use crate::format::{Clamp, Column};
 use crate::model::{Drawing, Model, View};
 use crate::profile::Profile;
 use crate::setup::Triangle;
@@ -19,8 +19,14 @@ pub(super) fn scattered(index: u64, length: usize) -> usize {
 /// The model of a valid profile; the set-up bench draws nothing.
 pub(super) fn ready(profile: &Profile, draws: bool) -> Model {
     let nothing = Rect { x0: 0, y0: 0, x1: 0, y1: 0 };
+    let mut profile = profile.clone();
+    if let Some(depth) = profile.depth.as_mut().filter(|depth| depth.clamp == Clamp::Error) {
+        // A device cannot refuse a triangle; outside the guard range it decodes as the guard does.
+        depth.clamp = Clamp::Guard;
+    }
     let view = View { scissor: (!draws).then_some(nothing), ..View::default() };
-    Model::with_view(profile, view).unwrap_or_else(|error| unreachable!("a valid profile: {error}"))
+    Model::with_view(&profile, view)
+        .unwrap_or_else(|error| unreachable!("a valid profile: {error}"))
 }
 
 /// The bounding box of a triangle in the window: x0 y0 x1 y1, half-open.

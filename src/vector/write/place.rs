@@ -1,0 +1,131 @@
+//! Putting a finished set where it belongs: aside, then in place, old sets kept until it is.
+
+use super::INDEX;
+use crate::vector::check;
+use crate::vector::manifest;
+use std::collections::BTreeSet;
+use std::ffi::OsString;
+use std::fs;
+use std::io::{Error, ErrorKind, Result};
+use std::path::{Path, PathBuf};
+
+/// Where a set is built, and what it will replace.
+pub(super) struct Place {
+    out: PathBuf,
+    /// Whether `out` is there: then the set is moved in, and the folder itself stays what it was
+    /// (a mount point, the target of a link, somebody's working directory).
+    exists: bool,
+    aside: PathBuf,
+}
+
+impl Place {
+    /// Checks the destination before any work is done.
+    ///
+    /// # Errors
+    /// `AlreadyExists` for an occupied folder without `force`, `DirectoryNotEmpty` with it when
+    /// anything in the folder is not part of a set, `NotADirectory` for a file in the way.
+    pub(super) fn new(out: &Path, force: bool) -> Result<Self> {
+        let tag = std::process::id();
+        let entries = match fs::read_dir(out) {
+            Ok(entries) => entries.collect::<Result<Vec<_>>>()?,
+            Err(error) if error.kind() == ErrorKind::NotFound => {
+                let name = out.file_name().unwrap_or_default().to_string_lossy();
+                let aside = out.with_file_name(format!(".{name}.partial-{tag}"));
+                return Ok(Self { out: out.to_owned(), exists: false, aside });
+            }
+            Err(error) => return Err(error),
+        };
+        if !entries.is_empty() {
+            if !force {
+                return Err(Error::from(ErrorKind::AlreadyExists));
+            }
+            let ours = made_by_us(out);
+            if let Some(entry) = entries.iter().find(|entry| !ours.contains(&entry.file_name())) {
+                let message = format!("{} is no part of a vector set", entry.path().display());
+                return Err(Error::new(ErrorKind::DirectoryNotEmpty, message));
+            }
+        }
+        let aside = out.join(format!(".partial-{tag}"));
+        Ok(Self { out: out.to_owned(), exists: true, aside })
+    }
+
+    /// The folder to build in.
+    pub(super) fn aside(&self) -> &Path {
+        &self.aside
+    }
+
+    /// Moves the finished set in; whatever was there stays until it is.
+    pub(super) fn settle(&self) -> Result<()> {
+        if !self.exists {
+            return fs::rename(&self.aside, &self.out);
+        }
+        let old = self.out.join(format!(".old-{}", std::process::id()));
+        fs::create_dir(&old)?;
+        let mut moved = Vec::new();
+        let result = self.exchange(&old, &mut moved);
+        if result.is_err() {
+            // Back to where it was, last move first.
+            for (from, to) in moved.iter().rev() {
+                let _ = fs::rename(to, from);
+            }
+            let _ = fs::remove_dir(&old);
+            return result;
+        }
+        let _ = fs::remove_dir(&self.aside);
+        fs::remove_dir_all(&old)
+    }
+
+    /// The manifest leaves first and arrives last: in between the folder is an unfinished set.
+    fn exchange(&self, old: &Path, moved: &mut Vec<(PathBuf, PathBuf)>) -> Result<()> {
+        let mut shift = |from: PathBuf, to: PathBuf| {
+            fs::rename(&from, &to)?;
+            moved.push((from, to));
+            Ok::<(), Error>(())
+        };
+        let skipped = [self.aside.clone(), old.to_owned()];
+        for name in names(&self.out)? {
+            let from = self.out.join(&name);
+            if !skipped.contains(&from) {
+                shift(from, old.join(&name))?;
+            }
+        }
+        for name in names(&self.aside)?.into_iter().rev() {
+            shift(self.aside.join(&name), self.out.join(&name))?;
+        }
+        Ok(())
+    }
+
+    /// Removes what was built.
+    pub(super) fn clear(&self) {
+        let _ = fs::remove_dir_all(&self.aside);
+    }
+}
+
+/// Entries of a folder, what makes it a set before the rest.
+fn names(folder: &Path) -> Result<Vec<OsString>> {
+    let mut names = fs::read_dir(folder)?
+        .map(|entry| Ok(entry?.file_name()))
+        .collect::<Result<Vec<OsString>>>()?;
+    let rest = |name: &OsString| name != INDEX && name != manifest::NAME;
+    names.sort_by_key(|name| (rest(name), name.clone()));
+    Ok(names)
+}
+
+/// What a run of this program left in a folder: nothing, if there is no set to be read.
+fn made_by_us(out: &Path) -> BTreeSet<OsString> {
+    let Ok((sets, _)) = check::open(out) else { return BTreeSet::new() };
+    let mut ours = BTreeSet::new();
+    for set in &sets {
+        if set.folder == out {
+            ours.insert(OsString::from(manifest::NAME));
+            ours.extend(set.manifest.files.iter().map(|file| OsString::from(&file.name)));
+        } else {
+            let listed = names(&set.folder).unwrap_or_default().iter().all(|name| {
+                name == manifest::NAME || set.manifest.files.iter().any(|f| *name == *f.name)
+            });
+            ours.insert(OsString::from(INDEX));
+            ours.extend(set.folder.file_name().filter(|_| listed).map(OsString::from));
+        }
+    }
+    ours
+}
