@@ -195,35 +195,35 @@ fn row_inside_body<L: Lane>(edges: Edges<L>, count: u32, out: &mut Vec<u64>) {
 
 /// How many samples of a `size.0` by `size.1` block have all three sign bits clear.
 pub fn count_inside<L: Lane>(processor: Processor, edges: Edges<L>, size: (u32, u32)) -> u64 {
-    let mut total = 0;
-    let mut row = edges;
-    for _ in 0..size.1 {
-        total += dispatch!(processor.level(), _simd => row_count(row, size.0));
-        row = row.rows_down(L::one());
-    }
-    total
+    dispatch!(processor.level(), _simd => block_count(edges, size))
 }
 
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "must inline into the dispatched kernel")]
-fn row_count<L: Lane>(edges: Edges<L>, width: u32) -> u64 {
+fn block_count<L: Lane>(edges: Edges<L>, (width, height): (u32, u32)) -> u64 {
     let offsets = edges.step_x.map(ramp);
     let strides: [L; 3] =
         std::array::from_fn(|k| offsets[k][BLOCK - 1].wrapping_add(&edges.step_x[k]));
-    let mut base = edges.value;
     let mut outside = [0u64; BLOCK];
-    for _ in 0..width as usize / BLOCK {
-        for n in 0..BLOCK {
+    let mut row = edges.value;
+    for _ in 0..height {
+        let mut base = row;
+        for _ in 0..width as usize / BLOCK {
+            for n in 0..BLOCK {
+                outside[n] += outside_bit(base, &offsets, n);
+            }
+            for k in 0..3 {
+                base[k] = base[k].wrapping_add(&strides[k]);
+            }
+        }
+        for n in 0..width as usize % BLOCK {
             outside[n] += outside_bit(base, &offsets, n);
         }
         for k in 0..3 {
-            base[k] = base[k].wrapping_add(&strides[k]);
+            row[k] = row[k].wrapping_add(&edges.step_y[k]);
         }
     }
-    for n in 0..width as usize % BLOCK {
-        outside[n] += outside_bit(base, &offsets, n);
-    }
-    u64::from(width) - outside.iter().sum::<u64>()
+    u64::from(width) * u64::from(height) - outside.iter().sum::<u64>()
 }
 
 /// 1 when any edge word at offset `n` is negative.
