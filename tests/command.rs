@@ -565,3 +565,44 @@ fn an_interrupt_ends_a_check_at_once() {
         assert!(!output.status.success() && output.stdout.is_empty());
     }
 }
+
+/// The fenced blocks of one kind in a section of the README.
+fn readme_blocks(section: &str, kind: &str) -> Vec<String> {
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let text = std::fs::read_to_string(readme).unwrap();
+    let section = text.split("\n## ").find(|part| part.starts_with(section)).unwrap();
+    let open = format!("```{kind}\n");
+    section.split(&open).skip(1).map(|rest| rest.split("```").next().unwrap().to_owned()).collect()
+}
+
+#[cfg(unix)]
+#[test]
+fn the_readmes_walk_works_as_printed() {
+    let home = home();
+    // The README's first command; its walk stands on what that wrote.
+    run_in(home.path(), "vectors").ends(0);
+    let program = Path::new(env!("CARGO_BIN_EXE_guardbit")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+    let mut verdicts = Vec::new();
+    let blocks = readme_blocks("Five minutes", "sh");
+    for line in blocks.iter().flat_map(|block| block.lines()) {
+        let mut shell = std::process::Command::new("sh");
+        let ran = shell.args(["-c", line]).current_dir(home.path()).env("PATH", &path).output();
+        let ran = ran.unwrap();
+        let is_verify = line.starts_with("guardbit verify");
+        assert_eq!(ran.status.code(), Some(i32::from(is_verify)), "{line}: {ran:?}");
+        if is_verify {
+            verdicts.push(String::from_utf8(ran.stdout).unwrap());
+        }
+    }
+    assert_eq!(verdicts, readme_blocks("Five minutes", "text"));
+    for made in ["walk.vcd", "walk.fst"] {
+        assert!(home.path().join(made).metadata().unwrap().len() > 0, "{made}");
+    }
+    // And the example under the table of commands.
+    let example = readme_blocks("Commands", "console").concat();
+    let (command, answer) = example.trim().split_once('\n').unwrap();
+    let line = command.strip_prefix("$ ").unwrap();
+    let ran = std::process::Command::new("sh").args(["-c", line]).env("PATH", &path).output();
+    assert_eq!(String::from_utf8(ran.unwrap().stdout).unwrap().trim(), answer);
+}
