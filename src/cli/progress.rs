@@ -16,13 +16,13 @@ pub(crate) fn monitor() -> Arc<Monitor> {
     monitor
 }
 
-/// Runs `work` while a byte counter shows, if standard error is a terminal.
+/// Runs `work` while its time and a byte counter show, if standard error is a terminal.
 pub(crate) fn watch<T>(what: &'static str, monitor: &Monitor, work: impl FnOnce() -> T) -> T {
     if !std::io::stderr().is_terminal() {
         return work();
     }
     let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
-    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {bytes} at {bytes_per_sec}") {
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed} {bytes}") {
         bar.set_style(style);
     }
     bar.set_message(what);

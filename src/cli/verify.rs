@@ -85,8 +85,10 @@ fn compare(
         let hint = format!("name the one that the dump answers: {}", names.join(", "));
         return Err(Failure::input(message).hint(&hint));
     };
-    let report = dump::compare(set, dut, arguments.file.as_deref(), arguments.errors.max(1))
-        .map_err(compare_failure)?;
+    let report = progress::watch("comparing", &Monitor::default(), || {
+        dump::compare(set, dut, arguments.file.as_deref(), arguments.errors.max(1))
+    })
+    .map_err(compare_failure)?;
     if report.total == 0 {
         output.line(format!("PASS: {} rows of {} agree", report.rows, report.file))?;
         output.flush()?;

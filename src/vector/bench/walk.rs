@@ -265,15 +265,12 @@ impl Bench for WalkBench {
                 Shape { zones: [true, false, true], remainders: [true, false, true, false] }
             }
             WalkKind::Depth => {
-                let outside = self.read.clamps() && self.read.width() > 1 + self.read.fraction();
-                // Without guard bits nothing can be told to lie outside the range, except by sign.
+                // A sticky accumulator never leaves the range. Without guard bits only a sign tells
+                // a value below it, and the sign takes one of them away from those above.
+                let held = self.read.clamps() && self.read.clamp() != Clamp::Saturate;
                 let signed = self.read.clamp() == Clamp::Sign;
-                let above = outside
-                    && self.read.guard() > u32::from(signed)
-                    && self.read.clamp() != Clamp::Saturate;
-                let below = outside
-                    && (self.read.guard() > 0 || signed)
-                    && self.read.clamp() != Clamp::Saturate;
+                let above = held && self.read.guard() > u32::from(signed);
+                let below = held && (self.read.guard() > 0 || signed);
                 Shape::of_bits([true, above, below], self.read.fraction())
             }
         }
