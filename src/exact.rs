@@ -21,11 +21,13 @@
 mod cover;
 mod edge;
 mod number;
+mod outline;
 mod plane;
 mod round;
 
 pub use cover::{Position, Rule, classify, covered_row, covers};
 pub use edge::{Row, edge_value, edge_x, first_pixel};
 pub use number::{Point, Rational, dyadic, integer, ratio};
-pub use plane::{plane_at, plane_slopes, plane_word};
+pub use outline::Outline;
+pub use plane::{PlaneNumerator, plane_at, plane_slopes, plane_word};
 pub use round::{divide, round, round_dyadic};

@@ -11,6 +11,7 @@
 
 pub mod builtin;
 pub mod camera;
+mod lens;
 pub mod lines;
 pub mod mesh;
 mod sine;
@@ -18,6 +19,7 @@ mod sine;
 use std::path::Path;
 
 pub use builtin::builtin_names;
+pub use lens::Lens;
 use lines::LineError;
 use mesh::MeshError;
 
@@ -100,6 +102,8 @@ pub struct Scene {
     pub triangles: Vec<Triangle>,
     /// How many triangles of a mesh were left out because a vertex was at or behind the near plane.
     pub dropped: usize,
+    /// The camera's planes, where the scene was seen through one.
+    pub lens: Option<Lens>,
 }
 
 /// Why a scene could not be loaded.
@@ -183,12 +187,13 @@ pub fn load(source: &str, viewport: &Viewport) -> Result<Scene, SceneError> {
     }
     let path = || source.to_owned();
     let bytes = read(source)?;
-    let (triangles, dropped) =
+    let (triangles, dropped, lens) =
         if has_extension(source, &["obj"]) {
             // Comments and material names may be in any encoding; numbers never are.
-            mesh::parse(&String::from_utf8_lossy(&bytes))
+            let seen = mesh::parse(&String::from_utf8_lossy(&bytes))
                 .and_then(|mesh| camera::view(&mesh, viewport).ok_or(MeshError::NoExtent))
-                .map_err(|source| SceneError::Mesh { path: path(), source })?
+                .map_err(|source| SceneError::Mesh { path: path(), source })?;
+            (seen.triangles, seen.dropped, Some(seen.lens))
         } else {
             let text = std::str::from_utf8(&bytes).map_err(|error| SceneError::Encoding {
                 path: path(),
@@ -196,12 +201,12 @@ pub fn load(source: &str, viewport: &Viewport) -> Result<Scene, SceneError> {
             })?;
             let triangles = lines::parse_scene(text)
                 .map_err(|(line, source)| SceneError::Line { path: path(), line, source })?;
-            (triangles, 0)
+            (triangles, 0, None)
         };
     if triangles.is_empty() && dropped == 0 {
         return Err(SceneError::Empty { path: path() });
     }
-    Ok(Scene { name: path(), triangles, dropped })
+    Ok(Scene { name: path(), triangles, dropped, lens })
 }
 
 /// The file's bytes; a missing file whose name does not look like one is an unknown scene.

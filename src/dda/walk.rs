@@ -83,6 +83,21 @@ impl Walker {
         };
     }
 
+    /// The accumulator after `y` steps downward and then `x` to the right, in closed form: steps of
+    /// one sign held one by one end where their sum, held once, does. Spec clause `G-5`.
+    #[inline]
+    pub fn path(&self, x: i128, y: i128) -> i128 {
+        if self.read.clamp() != Clamp::Saturate {
+            return self.start + self.dy * y + self.dx * x;
+        }
+        // Further than the whole range is as far as the range.
+        let top = self.read.top();
+        let go = |from, slope: i128, steps| {
+            self.read.saturating_step(from, slope.saturating_mul(steps).clamp(-top, top))
+        };
+        go(go(self.start, self.dy, y), self.dx, x)
+    }
+
     /// The accumulator's pattern, N bits, zero-extended.
     #[inline]
     pub fn pattern(&self) -> u128 {
@@ -98,5 +113,29 @@ impl Walker {
     /// The events of the unwrapped accumulator.
     pub fn status(&self) -> Status {
         self.read.status(self.accumulator)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_path_is_its_steps() {
+        for clamp in Clamp::ALL {
+            for guard in 0..=1 {
+                let Ok(read) = ReadOut::new(guard, 2, 1, clamp) else { continue };
+                for words in 0..16 * 16 * 16 {
+                    let (start, dx, dy) = (words % 16, words / 16 % 16 - 8, words / 256 - 8);
+                    for (x, y) in [(0, 0), (1, 0), (0, 2), (3, 1), (2, 5)] {
+                        let mut walk = Walker::new(read, start, dx, dy);
+                        let path = walk.path(x, y);
+                        (0..y).for_each(|_| walk.clock(Op::StepY));
+                        (0..x).for_each(|_| walk.clock(Op::StepX));
+                        assert_eq!(path, walk.accumulator, "{read:?} {start} {dx} {dy} {x} {y}");
+                    }
+                }
+            }
+        }
     }
 }

@@ -53,10 +53,69 @@ pub fn plane_word(
     round(&(plane_at(triangle, z, sample)? * scale), rounding).to_i128()
 }
 
+/// The plane over a triangle as integers over one denominator: the value at sub-pixel (x, y) is
+/// `(origin + slope[0] x + slope[1] y) / whole`, from the areas opposite the vertices.
+///
+/// Growth: 2m + 4 bits for coordinates of m bits, plus the bits of a vertex value.
+///
+/// ```
+/// use guardbit::exact::PlaneNumerator;
+/// let plane = PlaneNumerator::new([[0, 0], [4, 0], [0, 4]], [0, 10, 3]).ok_or("no area")?;
+/// assert_eq!((plane.at([1, 1]), plane.whole), (52, 16)); // 13/4
+/// # Ok::<(), &str>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PlaneNumerator {
+    /// Twice the area, positive for either winding.
+    pub whole: i128,
+    /// Value at sub-pixel (0, 0), times `whole`.
+    pub origin: i128,
+    /// Change per sub-pixel rightward and downward, times `whole`.
+    pub slope: [i128; 2],
+}
+
+impl PlaneNumerator {
+    /// The plane with values `z` at the vertices; `None` without area, or beyond 128 bits.
+    pub fn new(triangle: [[i128; 2]; 3], z: [i128; 3]) -> Option<Self> {
+        let mut sum = [0i128; 4];
+        for k in 0..3 {
+            let ([bx, by], [cx, cy]) = (triangle[(k + 1) % 3], triangle[(k + 2) % 3]);
+            // Twice the area of sample, b, c is this constant and these changes.
+            let constant = bx.checked_mul(cy)?.checked_sub(by.checked_mul(cx)?)?;
+            let terms = [constant, by.checked_sub(cy)?, cx.checked_sub(bx)?];
+            sum[0] = sum[0].checked_add(constant)?;
+            for (total, term) in sum[1..].iter_mut().zip(terms) {
+                *total = total.checked_add(term.checked_mul(z[k])?)?;
+            }
+        }
+        let [whole, origin, dx, dy] = sum.map(|value| value * sum[0].signum());
+        (whole != 0).then_some(Self { whole, origin, slope: [dx, dy] })
+    }
+
+    /// The value at a point in sub-pixels, times `whole`.
+    #[inline]
+    pub fn at(&self, [x, y]: [i128; 2]) -> i128 {
+        self.origin + self.slope[0] * x + self.slope[1] * y
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::exact::{Point, dyadic, ratio};
+
+    #[test]
+    fn numerators_are_the_rational_plane() {
+        for n in 0..200_i128 {
+            let v = |k: i128| [(n * 7 + k * 5) % 11 - 3, (n * 3 + k * k * 4) % 9 - 2];
+            let (triangle, z) = ([v(0), v(1), v(2)], [n % 5, n % 7 - 3, n % 13]);
+            let wanted = plane_at(triangle, z, [n, 3 - n]);
+            let got = PlaneNumerator::new(triangle, z);
+            assert_eq!(got.and_then(|p| ratio(p.at([n, 3 - n]), p.whole)), wanted);
+            assert!(got.is_none_or(|plane| plane.whole > 0));
+        }
+        assert_eq!(PlaneNumerator::new([[0, 0], [i128::MAX, 0], [0, 2]], [1, 1, 1]), None);
+    }
 
     #[test]
     fn vertices_keep_their_values_and_midpoints_their_means() {

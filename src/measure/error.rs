@@ -8,11 +8,10 @@
 #![allow(clippy::cast_precision_loss, reason = "errors are reported as real numbers")]
 
 use crate::cover::FillRule;
-use crate::exact::{self, Rule};
+use crate::exact::{self, PlaneNumerator, Rule};
 use crate::model::{Drawing, Model};
 use crate::profile::Form;
 use crate::setup::Triangle;
-use num_traits::ToPrimitive;
 
 /// How one sample differs from the exact truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -60,33 +59,19 @@ impl Tally {
     }
 }
 
-/// The exact plane over a triangle as integers: value times `whole` at sub-pixel (0, 0), and its
-/// changes.
-struct ExactPlane {
-    whole: i128,
-    origin: i128,
-    slope: [i128; 2],
+/// The exact rule that a coverage form is judged by.
+pub fn exact_rule(form: &Form) -> Rule {
+    match form {
+        Form::EdgeFunction(edges) if edges.rule == FillRule::Shadow => Rule::Shadow,
+        // A walked edge's left end owns its pixel.
+        Form::EdgeFunction(_) | Form::EdgeWalk(_) => Rule::TopLeft,
+    }
 }
 
-impl ExactPlane {
-    fn new(triangle: &Triangle) -> Option<Self> {
-        let (xy, z) = (triangle.xy, triangle.z?);
-        let whole = exact::edge_value(xy[0], xy[1], xy[2]);
-        let scaled = |value: exact::Rational| (value * &whole).to_integer().to_i128();
-        let [dx, dy] = exact::plane_slopes(xy, z)?;
-        Some(Self {
-            origin: scaled(exact::plane_at(xy, z, [0, 0])?)?,
-            slope: [scaled(dx)?, scaled(dy)?],
-            whole: whole.to_integer().to_i128()?,
-        })
-    }
-
-    /// How far an accumulator of `fraction` fraction bits lies above the plane, in ULP.
-    fn error(&self, [x, y]: [i128; 2], accumulator: i128, fraction: u32) -> f64 {
-        let exact = self.origin + self.slope[0] * x + self.slope[1] * y;
-        let above = accumulator * self.whole - (exact << fraction);
-        above as f64 / (self.whole << fraction) as f64
-    }
+/// How far an accumulator of `fraction` fraction bits lies above the plane, in ULP.
+fn above(plane: &PlaneNumerator, at: [i128; 2], accumulator: i128, fraction: u32) -> f64 {
+    let above = accumulator * plane.whole - (plane.at(at) << fraction);
+    above as f64 / (plane.whole << fraction) as f64
 }
 
 /// Compares what the model draws with the exact triangle, sample by sample, within the model's
@@ -102,21 +87,15 @@ pub fn triangle_error(
     if model.draw(triangle, &mut drawing).is_err() || drawing.zero_area {
         return tally;
     }
-    let rule = match model.profile().form {
-        Form::EdgeFunction(edges) if edges.rule == FillRule::Shadow => Rule::Shadow,
-        // A walked edge's left end owns its pixel.
-        Form::EdgeFunction(_) | Form::EdgeWalk(_) => Rule::TopLeft,
-    };
+    let rule = exact_rule(&model.profile().form);
     let clip = model.clip();
     let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
     // Rows of a wrong width can reach beyond the triangle: take what was drawn there, too.
     let drawn_rows =
         drawing.spans.first().map_or(y0..y0, |s| s.y..drawing.spans[drawing.spans.len() - 1].y + 1);
-    let plane = ExactPlane::new(triangle);
+    let plane = triangle.z.and_then(|z| PlaneNumerator::new(triangle.xy, z));
     let rounded = model.depth().zip(triangle.normalised().z);
-    let rounded = rounded.map(|(depth, z)| {
-        (depth.read_out(), depth.start_bias(), depth.plane(&triangle.normalised(), z, &grid))
-    });
+    let rounded = rounded.map(|(depth, z)| (depth, depth.plane(&triangle.normalised(), z, &grid)));
     let pitch = 1 << grid.sub_pixel;
     let mut next = 0;
     for y in y0.min(drawn_rows.start)..y1.max(drawn_rows.end) {
@@ -138,11 +117,11 @@ pub fn triangle_error(
                 (false, true) => SampleError::Missing,
                 (true, false) => SampleError::Extra,
                 (true, true) => SampleError::Depth(match (&plane, &rounded) {
-                    (Some(exact), Some((read, bias, plane))) => {
-                        let (x, y) = (i128::from(x), i128::from(y));
+                    (Some(exact), Some((depth, plane))) => {
                         // What wraps reads as what it wrapped to; what is clamped, as the clamp.
-                        let held = read.reduce(plane.at(x, y)).clamp(0, read.top() - 1) - bias;
-                        exact.error(grid.position(x, y), held, read.fraction())
+                        let held = depth.held(plane, x, y) - depth.start_bias();
+                        let at = grid.position(i128::from(x), i128::from(y));
+                        above(exact, at, held, depth.read_out().fraction())
                     }
                     _ => 0.0,
                 }),

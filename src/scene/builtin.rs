@@ -9,6 +9,7 @@ mod knot;
 mod slivers;
 mod terrain;
 
+use super::camera::View;
 use super::mesh::Point;
 use super::{Scene, Triangle, Viewport, camera};
 
@@ -40,21 +41,22 @@ pub(super) fn name_list() -> String {
 
 /// The scene of that name, where there is one.
 pub(super) fn make(name: &str, viewport: &Viewport) -> Option<Scene> {
-    let (triangles, dropped) = match name {
-        "triangle" => (vec![triangle(viewport)], 0),
-        "fan" => (fan::triangles(viewport), 0),
-        "slivers" => (slivers::triangles(viewport), 0),
-        "extremes" => (extremes::triangles(viewport), 0),
-        "knot" => in_perspective(&knot::mesh(), viewport),
-        "terrain" => in_perspective(&terrain::mesh(), viewport),
+    let flat = match name {
+        "triangle" => vec![triangle(viewport)],
+        "fan" => fan::triangles(viewport),
+        "slivers" => slivers::triangles(viewport),
+        "extremes" => extremes::triangles(viewport),
+        "knot" => return in_perspective(name, &knot::mesh(), viewport),
+        "terrain" => return in_perspective(name, &terrain::mesh(), viewport),
         _ => return None,
     };
-    Some(Scene { name: name.to_owned(), triangles, dropped })
+    Some(Scene { name: name.to_owned(), triangles: flat, dropped: 0, lens: None })
 }
 
-/// No scene here is without extent, so the camera always frames it.
-fn in_perspective(mesh: &[[Point; 3]], viewport: &Viewport) -> (Vec<Triangle>, usize) {
-    camera::view(mesh, viewport).unwrap_or_default()
+/// No mesh here is without extent, so the camera always frames it.
+fn in_perspective(name: &str, mesh: &[[Point; 3]], viewport: &Viewport) -> Option<Scene> {
+    let View { triangles, dropped, lens } = camera::view(mesh, viewport)?;
+    Some(Scene { name: name.to_owned(), triangles, dropped, lens: Some(lens) })
 }
 
 fn triangle(viewport: &Viewport) -> Triangle {

@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 
 use super::mesh::Point;
-use super::{Triangle, Viewport};
+use super::{Lens, Triangle, Viewport};
 
 /// Towards the eye: from the front, the right and above.
 const VIEW: Point = [4.0, 4.0, 7.0];
@@ -123,6 +123,11 @@ impl Camera {
         ])
     }
 
+    /// The near and far plane, in the units of the mesh.
+    pub fn lens(&self) -> Lens {
+        Lens { near: self.near * self.size, far: self.far * self.size }
+    }
+
     /// The triangles that lie in front of the near plane, and how many do not.
     pub fn draw(&self, mesh: &[[Point; 3]]) -> (Vec<Triangle>, usize) {
         let triangles: Vec<_> = mesh
@@ -136,9 +141,22 @@ impl Camera {
     }
 }
 
+/// A mesh as a camera sees it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct View {
+    /// The triangles in front of the near plane.
+    pub triangles: Vec<Triangle>,
+    /// How many are not.
+    pub dropped: usize,
+    /// The camera's planes.
+    pub lens: Lens,
+}
+
 /// A mesh in the window, framed; nothing where it has no extent. See [`Camera::draw`].
-pub fn view(mesh: &[[Point; 3]], viewport: &Viewport) -> Option<(Vec<Triangle>, usize)> {
-    Camera::frame(mesh, viewport).map(|camera| camera.draw(mesh))
+pub fn view(mesh: &[[Point; 3]], viewport: &Viewport) -> Option<View> {
+    let camera = Camera::frame(mesh, viewport)?;
+    let (triangles, dropped) = camera.draw(mesh);
+    Some(View { triangles, dropped, lens: camera.lens() })
 }
 
 /// On the plane at distance 1.

@@ -2,7 +2,7 @@
 
 use crate::bits::{Place, Rounding, SpanEvents};
 use crate::cover::SampleGrid;
-use crate::dda::{Line, Processor, row_values};
+use crate::dda::{Line, Processor, Walker, row_values};
 use crate::format::{Clamp, Decode, ReadOut, ReadOutError};
 use crate::setup::{Division, DivisionError, Gradient, Plane, Triangle, VertexConfig};
 use schemars::JsonSchema;
@@ -150,17 +150,20 @@ impl Depth {
 
     /// A sticky accumulator has a path: down column 0 from the window's corner, then right.
     fn sticky_span(&self, plane: &Plane, y: u32, x: u32, out: &mut [u64]) {
-        let mut walker = crate::dda::Walker::new(self.read, plane.start, plane.dx, plane.dy);
-        for _ in 0..y {
-            walker.clock(crate::dda::Op::StepY);
+        for (slot, x) in out.iter_mut().zip(x..) {
+            *slot = self.read.read(self.held(plane, x, y));
         }
-        for _ in 0..x {
-            walker.clock(crate::dda::Op::StepX);
+    }
+
+    /// The accumulator at pixel (x, y) as the read-out sees it before the fraction is dropped:
+    /// wrapped, clamped, and for a sticky one by its path. In `[0, 2^(i+F))`.
+    #[inline]
+    pub fn held(&self, plane: &Plane, x: u32, y: u32) -> i128 {
+        let (x, y) = (i128::from(x), i128::from(y));
+        if self.read.clamp() == Clamp::Saturate {
+            return Walker::new(self.read, plane.start, plane.dx, plane.dy).path(x, y);
         }
-        for slot in out {
-            *slot = walker.out();
-            walker.clock(crate::dda::Op::StepX);
-        }
+        self.read.reduce(plane.at(x, y)).clamp(0, self.read.top() - 1)
     }
 
     /// The events of the run of `count` samples from pixel (x, y) rightward, in closed form.

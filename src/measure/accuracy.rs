@@ -1,0 +1,61 @@
+//! How accurate a profile is on a scene: snap error and arithmetic error apart, coverage, depth,
+//! an attribute, and the order of surfaces. Spec clauses `M-1` to `M-7`.
+//!
+//! The work is shared out by what it depends on. A [`Reference`] is the scene as given, a [`Truth`]
+//! its exact picture, a [`Stage`] the scene on one grid with its exact picture and all snap errors,
+//! a [`Drawn`] one coverage form on a stage, and [`measure`] adds one depth budget to that. A sweep
+//! makes each of them once for all budgets that share it.
+
+mod affine;
+mod drawn;
+mod moment;
+mod order;
+mod reference;
+mod run;
+mod stage;
+mod tally;
+mod value;
+mod world;
+
+pub use affine::Affine;
+pub use drawn::{Drawn, bounding_box, needed_width};
+pub use moment::{Moments, Spread};
+pub use order::{Pair, first_overlap};
+pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};
+pub use stage::{Face, Stage, Surface};
+pub use tally::{Accuracy, Deviation, Tally, ValueError, ValueTally};
+pub use value::{Values, face_values};
+pub use world::World;
+
+use crate::dda::Processor;
+use crate::profile::Profile;
+use crate::value::Depth;
+
+/// The depth evaluator of a validated profile.
+pub fn depth_of(profile: &Profile) -> Option<Depth> {
+    Depth::new(profile.depth?, &profile.vertex, Processor::default()).ok()
+}
+
+/// The arithmetic error of one profile, on a stage and a coverage that were made for it.
+pub fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile) -> Tally {
+    let mut tally = drawn.tally;
+    let Some(depth) = depth_of(profile) else { return tally };
+    let mut values = Values::default();
+    for (n, face) in stage.faces.iter().enumerate() {
+        face_values(stage, &depth, face, drawn.runs(stage, n), &mut values);
+    }
+    finish(stage, &depth, &values, &mut tally);
+    tally
+}
+
+/// Puts values and the order of surfaces into a tally.
+pub fn finish(stage: &Stage, depth: &Depth, values: &Values, tally: &mut Tally) {
+    // A sample that is not drawn still has its place in the order, and a wrap knows no bound.
+    let bounded = !values.wrapped() && values.depth.ulp.count == stage.depth_samples;
+    let worst = if bounded { values.depth.ulp.worst } else { f64::INFINITY };
+    (tally.inversions, tally.ties) = order::broken(stage, depth, worst);
+    tally.depth = values.depth;
+    tally.attribute = values.attribute;
+    tally.wraps = values.wraps;
+    tally.clamps = values.clamps;
+}

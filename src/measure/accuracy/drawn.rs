@@ -1,0 +1,123 @@
+//! What a coverage form draws, against the exact picture. Spec clause `M-4`.
+
+use super::reference::misplaced;
+use super::run::{Hits, Side, compare};
+use super::stage::{Face, Stage};
+use super::tally::Tally;
+use crate::cover::EdgeWordConfig;
+use crate::machine::Sink;
+use crate::model::{Model, Span};
+use crate::profile::{Form, InvalidProfile, Profile};
+
+/// The coverage of a form over a stage.
+#[derive(Clone, Debug)]
+pub struct Drawn {
+    /// Samples drawn that are right, face by face; `None` where that is the exact picture.
+    both: Option<(Vec<Span>, Vec<usize>)>,
+    /// Missing and extra samples, holes and double hits.
+    pub tally: Tally,
+    /// Samples that the machine looked at.
+    pub visited: u64,
+    /// Samples that it covered.
+    pub covered: u64,
+}
+
+/// Collects runs.
+struct Runs(Vec<Span>);
+
+impl Sink for Runs {
+    fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
+        self.0.push(Span { y, x0, x1 });
+    }
+}
+
+impl Drawn {
+    /// Draws a stage's coverage and compares it with the exact one. Depth plays no part.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn new(stage: &Stage, profile: &Profile) -> Result<Self, InvalidProfile> {
+        let coverage = Profile { depth: None, ..profile.clone() };
+        let model = Model::new(&coverage)?;
+        let mut runs = Runs(Vec::new());
+        let (mut both, mut ends) = (Vec::new(), Vec::with_capacity(stage.faces.len()));
+        let (mut tally, mut hits) = (Tally::default(), Hits::default());
+        let (mut visited, mut covered) = (0, 0);
+        for face in &stage.faces {
+            let exact = &stage.runs[face.runs.clone()];
+            // A word that holds every value the walk meets covers what the exact edges do: `B-2`.
+            let certain = match profile.form {
+                Form::EdgeFunction(edges) => needed_width(stage, face, edges) <= edges.width,
+                Form::EdgeWalk(_) => false,
+            };
+            if certain {
+                both.extend_from_slice(exact);
+                covered += exact.iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
+            } else {
+                runs.0.clear();
+                // A coverage machine refuses nothing.
+                let _ = model.draw(&face.triangle, &mut runs);
+                compare(exact, &runs.0, |side, run| {
+                    misplaced(side, run, &mut tally.missing, &mut tally.extra);
+                    hits.note(side, run);
+                    if side == Side::Both {
+                        both.push(run);
+                    }
+                });
+                covered += runs.0.iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
+            }
+            ends.push(both.len());
+            visited += match profile.form {
+                Form::EdgeFunction(_) => {
+                    let [x0, y0, x1, y1] = bounding_box(stage, face);
+                    u64::from(x1 - x0) * u64::from(y1 - y0)
+                }
+                Form::EdgeWalk(_) => 0,
+            };
+        }
+        if matches!(profile.form, Form::EdgeWalk(_)) {
+            // A walk visits what it draws.
+            visited = covered;
+        }
+        (tally.holes, tally.double_hits) = hits.holes_and_doubles();
+        let exact = tally.missing == 0;
+        Ok(Self { both: (!exact).then_some((both, ends)), tally, visited, covered })
+    }
+
+    /// The samples of face `index` that are both drawn and right.
+    pub fn runs<'a>(&'a self, stage: &'a Stage, index: usize) -> &'a [Span] {
+        match &self.both {
+            None => &stage.runs[stage.faces[index].runs.clone()],
+            Some((runs, ends)) => {
+                let begin = index.checked_sub(1).map_or(0, |before| ends[before]);
+                &runs[begin..ends[index]]
+            }
+        }
+    }
+}
+
+/// The pixels `[x0, y0, x1, y1]` that an edge-function machine visits for a face.
+pub fn bounding_box(stage: &Stage, face: &Face) -> [u32; 4] {
+    let side = |axis| stage.clip.clip(axis, stage.grid.pixels(axis, face.triangle.extent(axis)));
+    let ((x0, x1), (y0, y1)) = (side(0), side(1));
+    [x0, y0, x1, y1]
+}
+
+/// Bits that hold every edge word that drawing a face meets: E is linear, so its extremes over the
+/// bounding box lie on its corners. 1 for a face without a sample in its box.
+pub fn needed_width(stage: &Stage, face: &Face, edges: EdgeWordConfig) -> u32 {
+    let [x0, y0, x1, y1] = bounding_box(stage, face);
+    if x0 == x1 || y0 == y1 {
+        return 1;
+    }
+    let words = edges.words(&face.triangle, &stage.grid);
+    let [x0, y0, x1, y1] = [x0, y0, x1 - 1, y1 - 1].map(i128::from);
+    let mut magnitude = 0;
+    for k in 0..3 {
+        for (x, y) in [(x0, y0), (x1, y0), (x0, y1), (x1, y1)] {
+            let value = words.value[k] + words.step_x[k] * x + words.step_y[k] * y;
+            magnitude |= value ^ (value >> 127);
+        }
+    }
+    1 + i128::BITS - magnitude.leading_zeros()
+}

@@ -1,0 +1,155 @@
+//! Who is in front: neighbours in depth at each sample, and whether an evaluator keeps their order.
+//! Spec clause `M-7`.
+
+use super::stage::{Face, Stage, Surface};
+use crate::exact::integer;
+use crate::setup::Plane;
+use crate::value::Depth;
+use std::cmp::Ordering;
+
+/// Two faces that are neighbours in depth at a sample.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pair {
+    /// The nearer face, in [`Stage::faces`].
+    pub near: u32,
+    /// The farther one.
+    pub far: u32,
+    /// The sample's pixel.
+    pub x: u32,
+    /// Its row.
+    pub y: u32,
+    /// How far apart they are, in ULP, rounded down a little.
+    pub gap: f64,
+}
+
+/// A face at a sample.
+struct Layer {
+    face: u32,
+    code: f64,
+}
+
+/// The pairs of a stage, closest first; and how many of them had the other order before snapping,
+/// and how many were equal in depth then. Faces at one depth are no pair.
+pub(super) fn pairs(stage: &Stage) -> (Vec<Pair>, u64, u64) {
+    let mut by_row: Vec<(u32, u32, u32, u32)> = Vec::new();
+    for (n, face) in (0u32..).zip(&stage.faces) {
+        if face.depth.is_some() {
+            let runs = &stage.runs[face.runs.clone()];
+            by_row.extend(runs.iter().map(|run| (run.y, run.x0, run.x1, n)));
+        }
+    }
+    by_row.sort_unstable();
+    let (mut found, mut inverted, mut tied) = (Vec::new(), 0, 0);
+    let mut hits: Vec<(u32, u32)> = Vec::new();
+    let mut layers = Vec::new();
+    for row in by_row.chunk_by(|a, b| a.0 == b.0) {
+        hits.clear();
+        hits.extend(row.iter().flat_map(|&(_, x0, x1, face)| (x0..x1).map(move |x| (x, face))));
+        hits.sort_unstable();
+        let y = row[0].0;
+        for pixel in hits.chunk_by(|a, b| a.0 == b.0).filter(|pixel| pixel.len() > 1) {
+            let x = pixel[0].0;
+            sort_layers(stage, [x, y], pixel.iter().map(|hit| hit.1), &mut layers);
+            for two in layers.windows(2) {
+                let [near, far] = [two[0].face, two[1].face];
+                if order(stage, [x, y], &two[0], &two[1]) == Ordering::Equal {
+                    continue;
+                }
+                let gap = (two[1].code - two[0].code) * (1.0 - 1e-9) - CLOSE;
+                found.push(Pair { near, far, x, y, gap });
+                match before_snapping(stage, [x, y], [near, far]) {
+                    Some(Ordering::Greater) => inverted += 1,
+                    Some(Ordering::Equal) => tied += 1,
+                    _ => {}
+                }
+            }
+        }
+    }
+    found.sort_unstable_by(|a, b| {
+        a.gap.total_cmp(&b.gap).then((a.y, a.x, a.near).cmp(&(b.y, b.x, b.near)))
+    });
+    (found, inverted, tied)
+}
+
+fn sort_layers(
+    stage: &Stage,
+    [x, y]: [u32; 2],
+    faces: impl Iterator<Item = u32>,
+    layers: &mut Vec<Layer>,
+) {
+    layers.clear();
+    layers.extend(faces.filter_map(|face| {
+        let code = surface(stage, face)?.code.at(x, y);
+        Some(Layer { face, code })
+    }));
+    layers.sort_unstable_by(|a, b| order(stage, [x, y], a, b).then(a.face.cmp(&b.face)));
+}
+
+fn surface(stage: &Stage, face: u32) -> Option<&Surface> {
+    stage.faces[face as usize].depth.as_ref()
+}
+
+/// Codes closer than this, beside their own size, are compared as rationals.
+const CLOSE: f64 = 1e-6;
+
+/// The exact order of two layers: by their real codes where those are clearly apart, by rationals
+/// where they are not.
+fn order(stage: &Stage, [x, y]: [u32; 2], a: &Layer, b: &Layer) -> Ordering {
+    let apart = a.code - b.code;
+    if apart.abs() > CLOSE * (1.0 + a.code.abs() * CLOSE) {
+        return apart.total_cmp(&0.0);
+    }
+    let at = stage.grid.position(x.into(), y.into());
+    let (Some(p), Some(q)) = (surface(stage, a.face), surface(stage, b.face)) else {
+        return Ordering::Equal;
+    };
+    let (p, q) = (p.exact, q.exact);
+    match (p.at(at).checked_mul(q.whole), q.at(at).checked_mul(p.whole)) {
+        (Some(left), Some(right)) => left.cmp(&right),
+        _ => (integer(p.at(at)) * integer(q.whole)).cmp(&(integer(q.at(at)) * integer(p.whole))),
+    }
+}
+
+/// The order of two faces at a sample before snapping, the one that is nearer now named first.
+fn before_snapping(stage: &Stage, [x, y]: [u32; 2], faces: [u32; 2]) -> Option<Ordering> {
+    let depth = |face: u32| Some(surface(stage, face)?.before?.at(x, y));
+    Some(depth(faces[0])?.total_cmp(&depth(faces[1])?))
+}
+
+/// Pairs that a depth evaluator exchanges, and pairs that it makes equal. `worst` bounds its error
+/// at every sample in ULP; infinity where there is no bound.
+pub(super) fn broken(stage: &Stage, depth: &Depth, worst: f64) -> (u64, u64) {
+    // Codes are floors: equal ones are less than 1 apart, each off by `worst` at most.
+    let reach = 1.0 + 2.0 * worst;
+    let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
+    let plane = |face: &Face| {
+        let vertex = face.depth.as_ref()?.vertex;
+        Some(depth.plane(&face.triangle, vertex, &stage.grid))
+    };
+    // Few pairs are close enough as a rule; where most are, each face is set up once.
+    let prepared: Vec<Option<Plane>> = if pairs.len() > stage.faces.len() {
+        stage.faces.iter().map(plane).collect()
+    } else {
+        Vec::new()
+    };
+    let code = |face: u32, pair: &Pair| {
+        let index = face as usize;
+        let plane = prepared.get(index).copied().unwrap_or_else(|| plane(&stage.faces[index]))?;
+        Some(depth.held(&plane, pair.x, pair.y) >> depth.read_out().fraction())
+    };
+    let (mut inversions, mut ties) = (0, 0);
+    for pair in pairs {
+        match code(pair.near, pair).cmp(&code(pair.far, pair)) {
+            Ordering::Less => {}
+            Ordering::Equal => ties += 1,
+            Ordering::Greater => inversions += 1,
+        }
+    }
+    (inversions, ties)
+}
+
+/// Whether any two faces share a sample: without that, nothing needs a depth test.
+pub fn first_overlap<'a>(stage: &'a Stage) -> Option<(&'a Pair, [&'a Face; 2])> {
+    let pair = stage.pairs.iter().min_by_key(|pair| (pair.y, pair.x, pair.near))?;
+    Some((pair, [pair.near, pair.far].map(|face| &stage.faces[face as usize])))
+}
