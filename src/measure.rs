@@ -1,6 +1,7 @@
-//! Measurement: error against the exact truth, and speed as ratios within one run.
+//! Measurement: error against the exact truth, cost in hardware, and speed as ratios within one run.
 
 pub mod accuracy;
 pub mod budget;
+pub mod cost;
 pub mod error;
 pub mod speed;
