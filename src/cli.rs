@@ -4,6 +4,7 @@ mod budget;
 mod claims;
 mod diff;
 mod eval;
+mod explore;
 mod failure;
 mod output;
 mod profile;
@@ -36,6 +37,7 @@ enum Command {
     Claims(claims::Arguments),
     Diff(diff::Arguments),
     Eval(eval::Arguments),
+    Explore(explore::Arguments),
     Profile(profile::Arguments),
     Render(render::Arguments),
     Speed(speed::Arguments),
@@ -69,6 +71,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
+        Command::Explore(arguments) => explore::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),

@@ -1,3 +1,12 @@
-//! Questions asked of the model: which known facts hold.
+//! Questions asked of the model: which known facts hold, what each bit buys, and how few are
+//! enough.
 
 pub mod claims;
+pub mod clock;
+pub mod field;
+pub mod metric;
+pub mod pareto;
+pub mod record;
+pub mod space;
+pub mod store;
+pub mod sweep;

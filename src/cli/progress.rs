@@ -4,7 +4,7 @@ use guardbit::vector::write::Monitor;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::time::Duration;
 
 /// A monitor that Ctrl-C cancels.
@@ -26,11 +26,28 @@ pub(crate) fn watch<T>(what: &'static str, monitor: &Monitor, work: impl FnOnce(
         bar.set_style(style);
     }
     bar.set_message(what);
+    show(&bar, || monitor.bytes.load(Ordering::Relaxed), work)
+}
+
+/// Runs `work` while a counter shows against its end, if standard error is a terminal.
+pub(crate) fn count<T>(whole: u64, done: &AtomicU64, work: impl FnOnce() -> T) -> T {
+    if !std::io::stderr().is_terminal() {
+        return work();
+    }
+    let bar = ProgressBar::with_draw_target(Some(whole), ProgressDrawTarget::stderr());
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {pos}/{len} {elapsed} left {eta}") {
+        bar.set_style(style);
+    }
+    show(&bar, || done.load(Ordering::Relaxed), work)
+}
+
+/// Runs `work` while a bar follows a position.
+fn show<T>(bar: &ProgressBar, position: impl Fn() -> u64 + Sync, work: impl FnOnce() -> T) -> T {
     let done = AtomicBool::new(false);
     std::thread::scope(|scope| {
         scope.spawn(|| {
             while !done.load(Ordering::Relaxed) {
-                bar.set_position(monitor.bytes.load(Ordering::Relaxed));
+                bar.set_position(position());
                 std::thread::sleep(Duration::from_millis(80));
             }
         });

@@ -116,7 +116,7 @@ impl From<Format> for RowFormat {
     }
 }
 
-fn parse_shard(text: &str) -> Result<Shard, String> {
+pub(crate) fn parse_shard(text: &str) -> Result<Shard, String> {
     let parts = text.split_once('/').and_then(|(index, parts)| {
         Some(Shard { index: index.parse().ok()?, parts: parts.parse().ok()? })
     });

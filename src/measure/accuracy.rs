@@ -8,6 +8,7 @@
 
 mod affine;
 mod drawn;
+mod inspect;
 mod moment;
 mod order;
 mod reference;
@@ -19,6 +20,7 @@ mod world;
 
 pub use affine::Affine;
 pub use drawn::{Drawn, bounding_box, needed_width};
+pub use inspect::{Inspector, Value as Inspected};
 pub use moment::{Moments, Spread};
 pub use order::{Pair, first_overlap};
 pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};

@@ -18,12 +18,14 @@ pub struct Drawn {
     pub tally: Tally,
     /// Samples that the machine looked at.
     pub visited: u64,
+    /// Rows that it went down.
+    pub rows: u64,
     /// Samples that it covered.
     pub covered: u64,
 }
 
 /// Collects runs.
-struct Runs(Vec<Span>);
+pub(super) struct Runs(pub(super) Vec<Span>);
 
 impl Sink for Runs {
     fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
@@ -42,7 +44,7 @@ impl Drawn {
         let mut runs = Runs(Vec::new());
         let (mut both, mut ends) = (Vec::new(), Vec::with_capacity(stage.faces.len()));
         let (mut tally, mut hits) = (Tally::default(), Hits::default());
-        let (mut visited, mut covered) = (0, 0);
+        let (mut visited, mut rows, mut covered) = (0, 0, 0);
         for face in &stage.faces {
             let exact = &stage.runs[face.runs.clone()];
             // A word that holds every value the walk meets covers what the exact edges do: `B-2`.
@@ -67,13 +69,9 @@ impl Drawn {
                 covered += runs.0.iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
             }
             ends.push(both.len());
-            visited += match profile.form {
-                Form::EdgeFunction(_) => {
-                    let [x0, y0, x1, y1] = bounding_box(stage, face);
-                    u64::from(x1 - x0) * u64::from(y1 - y0)
-                }
-                Form::EdgeWalk(_) => 0,
-            };
+            let [x0, y0, x1, y1] = bounding_box(stage, face);
+            rows += u64::from(y1 - y0);
+            visited += u64::from(x1 - x0) * u64::from(y1 - y0);
         }
         if matches!(profile.form, Form::EdgeWalk(_)) {
             // A walk visits what it draws.
@@ -81,7 +79,7 @@ impl Drawn {
         }
         (tally.holes, tally.double_hits) = hits.holes_and_doubles();
         let exact = tally.missing == 0;
-        Ok(Self { both: (!exact).then_some((both, ends)), tally, visited, covered })
+        Ok(Self { both: (!exact).then_some((both, ends)), tally, visited, rows, covered })
     }
 
     /// The samples of face `index` that are both drawn and right.

@@ -74,6 +74,24 @@ impl Reference {
         self.faces.get(index)?.as_ref()
     }
 
+    /// Hands every number of the scene to a digest, in drawing order.
+    pub fn hash(&self, digest: &mut dyn FnMut(&[u8])) {
+        for triangle in &self.triangles {
+            match triangle {
+                scene::Triangle::Lattice { xy, z } => {
+                    digest(b"v");
+                    xy.iter().flatten().for_each(|value| digest(&value.to_le_bytes()));
+                    z.iter().flatten().for_each(|value| digest(&value.to_le_bytes()));
+                }
+                scene::Triangle::Real { xy, z } => {
+                    digest(b"f");
+                    xy.iter().flatten().for_each(|value| digest(&value.to_le_bytes()));
+                    z.iter().flatten().for_each(|value| digest(&value.to_le_bytes()));
+                }
+            }
+        }
+    }
+
     /// Triangle `index` in the units of another profile: an integer coordinate stays one where the
     /// units are the same, and is the real number it stood for where they are not.
     pub fn triangle(&self, index: usize, profile: &Profile) -> scene::Triangle {

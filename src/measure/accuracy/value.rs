@@ -31,7 +31,7 @@ pub struct Values {
 }
 
 /// One value of one face as it is walked, beside what it should be.
-struct Walk<'a> {
+pub(super) struct Walk<'a> {
     depth: &'a Depth,
     plane: Plane,
     surface: &'a Surface,
@@ -103,7 +103,7 @@ impl Values {
 }
 
 impl<'a> Walk<'a> {
-    fn new(stage: &Stage, depth: &'a Depth, face: &Face, surface: &'a Surface) -> Self {
+    pub(super) fn new(stage: &Stage, depth: &'a Depth, face: &Face, surface: &'a Surface) -> Self {
         let plane = depth.plane(&face.triangle, surface.vertex, &stage.grid);
         let (fraction, exact) = (depth.read_out().fraction(), &surface.exact);
         let per_pixel = fraction + stage.grid.sub_pixel;
@@ -151,12 +151,16 @@ impl<'a> Walk<'a> {
             into.run(world, ulp, ends.map(part), run.x1 - run.x0);
             return;
         }
-        let (fraction, exact) = (self.depth.read_out().fraction(), &self.surface.exact);
         for x in run.x0..run.x1 {
-            let held = self.depth.held(&self.plane, x, run.y) - self.depth.start_bias();
-            let at = stage.grid.position(x.into(), run.y.into());
-            let above = held * exact.whole - (exact.at(at) << fraction);
-            into.note(world, real(above) / self.whole, part(x));
+            into.note(world, self.held_ulp(stage, x, run.y), part(x));
         }
+    }
+
+    /// The error at a pixel as read: wrapped, clamped or held.
+    pub(super) fn held_ulp(&self, stage: &Stage, x: u32, y: u32) -> f64 {
+        let (fraction, exact) = (self.depth.read_out().fraction(), &self.surface.exact);
+        let held = self.depth.held(&self.plane, x, y) - self.depth.start_bias();
+        let at = stage.grid.position(x.into(), y.into());
+        real(held * exact.whole - (exact.at(at) << fraction)) / self.whole
     }
 }

@@ -1,0 +1,176 @@
+//! `guardbit explore`: what each bit buys on these scenes, and what it costs.
+
+mod session;
+mod table;
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::Output;
+use super::vectors::parse_shard;
+use guardbit::explore::field::Field;
+use guardbit::explore::metric::{self, Metric};
+use guardbit::explore::pareto;
+use guardbit::explore::record::Record;
+use guardbit::explore::space::{Axis, Space};
+use guardbit::explore::sweep::Sweep;
+use guardbit::measure::accuracy::Reference;
+use guardbit::model::{Model, View};
+use guardbit::profile::{self, Profile};
+use guardbit::scene;
+use guardbit::vector::plan::Shard;
+use session::Session;
+use std::io::Write;
+use std::path::PathBuf;
+
+/// Measure every budget of a space on scenes: accuracy, hardware cost, software speed, Pareto front.
+///
+/// Snap error (the scene against itself on the grid) and arithmetic error (what is drawn against
+/// the exact picture of that) are kept apart: figures of the first begin with `snap-`.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    space: SpaceArguments,
+    /// What a budget is weighed by; again for each further one. Smaller is better.
+    #[arg(long = "objective", value_name = "METRIC", value_parser = parse_metric)]
+    objectives: Vec<Metric>,
+    /// Keep results in FILE as they come, and go on from what it holds.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+    /// Measure one part of the space, I/N with I from 0; join the parts with --merge.
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    shard: Option<Shard>,
+    /// Join files of results that were saved for this same request, instead of measuring.
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["save", "shard"])]
+    merge: Vec<PathBuf>,
+    /// Do not time the model: without it the output is the same on every machine and run.
+    #[arg(long)]
+    no_speed: bool,
+    /// Print one JSON object a budget, in an array.
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Print comma-separated values, every metric a column.
+    #[arg(long)]
+    csv: bool,
+    /// Print every budget in the table, not the Pareto front alone.
+    #[arg(long)]
+    all: bool,
+}
+
+/// What `explore` and `fit` search, and on what.
+#[derive(Debug, clap::Args)]
+pub(crate) struct SpaceArguments {
+    /// The profile to vary: a built-in name or a TOML file.
+    #[arg(default_value = "sgi-4k")]
+    pub(crate) profile: String,
+    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles; again for each further one.
+    #[arg(long = "scene", value_name = "S", default_value = "knot")]
+    pub(crate) scenes: Vec<String>,
+    /// A field and its values, such as interpolation=6..13 or rounding=floor,nearest-even; again
+    /// for each further one. `guardbit explore --vary help` lists the fields.
+    #[arg(long = "vary", value_name = "FIELD=VALUES")]
+    pub(crate) axes: Vec<String>,
+    /// Window, as WIDTHxHEIGHT; the profile's by default, at most 1024 x 1024.
+    #[arg(long, value_parser = super::parse_size)]
+    pub(crate) window: Option<(u32, u32)>,
+    /// Worker threads.
+    #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub(crate) threads: Option<u16>,
+}
+
+impl SpaceArguments {
+    /// The profile, in the window that is searched.
+    pub(crate) fn base(&self) -> Result<Profile, Failure> {
+        let mut base = profile::load(&self.profile)?;
+        let window = &mut base.window;
+        (window.width, window.height) =
+            self.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
+        base.validate().map_err(Failure::input)?;
+        Ok(base)
+    }
+
+    /// The space and the scenes of it; `default` makes the axes where none are named.
+    pub(crate) fn sweep(&self, default: fn(&Profile) -> Vec<Axis>) -> Result<Sweep, Failure> {
+        let base = self.base()?;
+        let axes = if self.axes.is_empty() {
+            default(&base)
+        } else {
+            let parsed: Result<_, _> = self.axes.iter().map(|text| Axis::parse(text)).collect();
+            parsed.map_err(Failure::input)?
+        };
+        let model = Model::with_view(&base, View::default()).map_err(Failure::input)?;
+        let space = Space::new(base.clone(), axes).map_err(Failure::input)?;
+        let mut scenes = Vec::new();
+        for source in &self.scenes {
+            let scene = scene::load(source, &model.viewport())?;
+            if scene.triangles.is_empty() {
+                return Err(Failure::input(format!("{source}: it has no triangles to measure")));
+            }
+            scenes.push(Reference::new(scene, &base));
+        }
+        Ok(Sweep { space, scenes })
+    }
+}
+
+/// The metric of a name.
+pub(crate) fn parse_metric(name: &str) -> Result<Metric, String> {
+    Metric::find(name)
+        .ok_or_else(|| format!("no metric of that name: there are {}", metric::names()))
+}
+
+/// What a bare `explore` varies: bits that matter on every scene.
+fn default_axes(base: &Profile) -> Vec<Axis> {
+    let mut axes = vec![Axis {
+        field: Field::SubPixel,
+        values: [4, 6, 8, 10].map(guardbit::explore::field::Value::Bits).to_vec(),
+    }];
+    if let Some(depth) = base.depth {
+        let bits = |from: u32, to| (from..=to).map(guardbit::explore::field::Value::Bits).collect();
+        let most = depth.interpolation;
+        axes.push(Axis {
+            field: Field::Interpolation,
+            values: bits(most.saturating_sub(10), most),
+        });
+        axes.push(Axis { field: Field::Guard, values: bits(0, depth.guard.max(1)) });
+    }
+    axes
+}
+
+/// What budgets are weighed by where nothing else is named.
+fn default_objectives() -> Vec<Metric> {
+    let names = ["area", "misclassified", "snap-misclassified", "depth-rms-world", "wraps"];
+    names.into_iter().filter_map(Metric::find).collect()
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if arguments.space.axes.iter().any(|axis| axis == "help") {
+        return table::help();
+    }
+    let sweep = arguments.space.sweep(default_axes)?;
+    let objectives = if arguments.objectives.is_empty() {
+        default_objectives()
+    } else {
+        arguments.objectives.clone()
+    };
+    let session = Session::new(&sweep, super::vectors::threads(arguments.space.threads));
+    let mut records: Vec<Record> = if arguments.merge.is_empty() {
+        session.measure(arguments.save.as_deref(), arguments.shard, !arguments.no_speed)?
+    } else {
+        session.merge(&arguments.merge)?
+    };
+    pareto::mark(&mut records, &objectives);
+    let mut output = Output::new();
+    if arguments.json {
+        output.line("[")?;
+        for (n, record) in records.iter().enumerate() {
+            let text = serde_json::to_string(record).map_err(Failure::input)?;
+            output.line(format!("{text}{}", if n + 1 < records.len() { "," } else { "" }))?;
+        }
+        output.line("]")?;
+    } else if arguments.csv {
+        table::csv(&mut output, &records)?;
+    } else {
+        table::print(&mut output, &sweep, &records, &objectives, arguments.all)?;
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}

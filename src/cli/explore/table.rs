@@ -1,0 +1,158 @@
+//! Budgets as a table and as comma-separated values.
+
+use super::{Failure, Field, Metric, Outcome, Output, Record, Sweep};
+use guardbit::explore::metric;
+use guardbit::explore::record;
+
+/// Figures that a table has beside the varied fields and the objectives.
+const FIGURES: [&str; 9] = [
+    "area",
+    "delay-prefix",
+    "snap-misclassified",
+    "snap-depth-rms-world",
+    "misclassified",
+    "depth-worst",
+    "depth-rms-world",
+    "inversions",
+    "ns",
+];
+
+/// Prints the Pareto front, or everything.
+pub(super) fn print(
+    output: &mut Output,
+    sweep: &Sweep,
+    records: &[Record],
+    objectives: &[Metric],
+    all: bool,
+) -> Result<(), Failure> {
+    let mut figures: Vec<Metric> = FIGURES.into_iter().filter_map(Metric::find).collect();
+    for objective in objectives {
+        if !figures.contains(objective) {
+            figures.push(*objective);
+        }
+    }
+    figures.retain(|metric| records.iter().any(|record| metric.of(record).is_some()));
+    let varied: Vec<&str> = sweep.space.axes().iter().map(|axis| axis.field.name()).collect();
+    let named = varied.iter().copied().chain(["edge-bits", "depth-bits"]);
+    let mut rows = vec![
+        named
+            .clone()
+            .chain(figures.iter().map(|m| m.name))
+            .chain([""])
+            .map(str::to_owned)
+            .collect(),
+        named
+            .clone()
+            .map(|_| "")
+            .chain(figures.iter().map(|m| m.unit))
+            .chain([""])
+            .map(str::to_owned)
+            .collect(),
+    ];
+    let front = records.iter().filter(|record| record.pareto).count();
+    for record in records.iter().filter(|record| all || record.pareto) {
+        let fields = named.clone().map(|name| field(record, name));
+        let numbers = figures.iter().map(|metric| metric.of(record).map_or("-".to_owned(), figure));
+        let mark = if record.pareto { "*" } else { "" };
+        rows.push(fields.chain(numbers).chain([mark.to_owned()]).collect::<Vec<String>>());
+    }
+    for line in columns(&rows) {
+        output.line(line)?;
+    }
+    let names: Vec<&str> = objectives.iter().map(|metric| metric.name).collect();
+    output.line("")?;
+    output.line(format!(
+        "{} budgets, {front} on the Pareto front of {}; depth as a distance is in {}s",
+        records.len(),
+        names.join(", "),
+        records.first().map_or("", |record| &record.accuracy.world)
+    ))
+}
+
+fn field(record: &Record, name: &str) -> String {
+    let found = record.budget.iter().find(|(known, _)| *known == name);
+    found.map_or("-".to_owned(), |(_, value)| value.to_string())
+}
+
+/// Right-justified columns.
+pub(crate) fn columns(rows: &[Vec<String>]) -> Vec<String> {
+    let count = rows.iter().map(Vec::len).max().unwrap_or(0);
+    let width =
+        |n: usize| rows.iter().filter_map(|row| row.get(n)).map(|cell| cell.chars().count()).max();
+    let widths: Vec<usize> = (0..count).map(|n| width(n).unwrap_or(0)).collect();
+    rows.iter()
+        .map(|row| {
+            let cells: Vec<String> =
+                row.iter().zip(&widths).map(|(cell, width)| format!("{cell:>width$}")).collect();
+            cells.join("  ").trim_end().to_owned()
+        })
+        .collect()
+}
+
+/// Four significant digits, an integer as it is.
+pub(crate) fn figure(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        whole if whole.fract() == 0.0 && whole < 1e15 => format!("{value:.0}"),
+        small if small < 1e-3 => format!("{value:.3e}"),
+        small if small < 10.0 => format!("{value:.4}"),
+        middle if middle < 1e5 => format!("{value:.1}"),
+        _ => format!("{value:.3e}"),
+    }
+}
+
+/// Every metric of every budget.
+pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure> {
+    let fields: Vec<&str> = {
+        let mut names: Vec<&str> = Field::ALL.map(Field::name).to_vec();
+        names.extend(["edge-bits", "depth-bits"]);
+        names.retain(|name| records.iter().any(|record| field(record, name) != "-"));
+        names
+    };
+    let metrics: Vec<Metric> = metric::all().collect();
+    let names = fields.iter().copied().chain(metrics.iter().map(|metric| metric.name));
+    let header: Vec<&str> = ["index"].into_iter().chain(names).chain(["pareto"]).collect();
+    output.line(header.join(","))?;
+    for record in records {
+        let cells = fields.iter().map(|name| field(record, name));
+        let numbers =
+            metrics.iter().map(|metric| metric.of(record).map_or(String::new(), |v| v.to_string()));
+        let row: Vec<String> = [record.index.to_string()]
+            .into_iter()
+            .chain(cells)
+            .chain(numbers)
+            .chain([record.pareto.to_string()])
+            .collect();
+        output.line(row.join(","))?;
+    }
+    Ok(())
+}
+
+/// Lists fields and metrics.
+pub(super) fn help() -> Result<Outcome, Failure> {
+    let mut output = Output::new();
+    output.line("fields to vary (--vary FIELD=VALUES, as 6..13, or a list with commas):")?;
+    for field in Field::ALL {
+        let words = field.words().join(", ");
+        let takes = match (field.is_bits(), words.is_empty()) {
+            (true, true) => "bits".to_owned(),
+            (true, false) => format!("bits, or {words}"),
+            _ => words,
+        };
+        output.line(format!("  {:<16} {takes}", field.name()))?;
+    }
+    output.line("metrics (objectives of explore, costs and tolerances of fit):")?;
+    for metric in metric::all() {
+        output.line(format!("  {:<28} {} ({})", metric.name, metric.about, metric.unit))?;
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+/// What a record's budget is, in a line: the varied fields.
+pub(crate) fn name(record: &record::Record, sweep: &Sweep) -> String {
+    let axes = sweep.space.axes().iter();
+    let parts =
+        axes.map(|axis| format!("{}={}", axis.field.name(), field(record, axis.field.name())));
+    parts.collect::<Vec<_>>().join(" ")
+}

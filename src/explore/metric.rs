@@ -1,0 +1,201 @@
+//! The figures of a budget by name: what sweeps plot, fits bound and Pareto fronts weigh. All are
+//! better when smaller. Spec clause `Q-4`.
+
+use super::record::Record;
+use crate::measure::accuracy::{Accuracy, Deviation, Spread, ValueError};
+use crate::measure::cost::Cost;
+
+/// What a figure is read from.
+#[derive(Clone, Copy)]
+enum Source {
+    Cost(fn(&Cost) -> f64),
+    Accuracy(fn(&Accuracy) -> Option<f64>),
+    Record(fn(&Record) -> Option<f64>),
+}
+
+/// A figure of a budget.
+#[derive(Clone, Copy)]
+pub struct Metric {
+    /// Its name on the command line and in reports.
+    pub name: &'static str,
+    /// Its unit, for axes and tables.
+    pub unit: &'static str,
+    /// What it is, in a few words.
+    pub about: &'static str,
+    source: Source,
+}
+
+impl std::fmt::Debug for Metric {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.name)
+    }
+}
+
+impl PartialEq for Metric {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Metric {
+    /// The figure of a record; `None` where it has none.
+    pub fn of(&self, record: &Record) -> Option<f64> {
+        match self.source {
+            Source::Cost(read) => Some(read(&record.cost)),
+            Source::Accuracy(read) => read(&record.accuracy),
+            Source::Record(read) => read(record),
+        }
+    }
+
+    /// The figure of a cost alone; `None` if it is none of cost.
+    pub fn of_cost(&self, cost: &Cost) -> Option<f64> {
+        match self.source {
+            Source::Cost(read) => Some(read(cost)),
+            _ => None,
+        }
+    }
+
+    /// The figure of an accuracy alone; `None` if it is none of accuracy, or the scene has none.
+    pub fn of_accuracy(&self, accuracy: &Accuracy) -> Option<f64> {
+        match self.source {
+            Source::Accuracy(read) => read(accuracy),
+            _ => None,
+        }
+    }
+
+    /// Whether the figure follows from the bits alone.
+    pub fn is_cost(&self) -> bool {
+        matches!(self.source, Source::Cost(_))
+    }
+
+    /// Whether the figure is one of accuracy.
+    pub fn is_accuracy(&self) -> bool {
+        matches!(self.source, Source::Accuracy(_))
+    }
+
+    /// The metric of that name.
+    pub fn find(name: &str) -> Option<Self> {
+        all().find(|metric| metric.name == name)
+    }
+}
+
+const fn cost(
+    name: &'static str,
+    unit: &'static str,
+    about: &'static str,
+    read: fn(&Cost) -> f64,
+) -> Metric {
+    Metric { name, unit, about, source: Source::Cost(read) }
+}
+
+const COST: [Metric; 7] = [
+    cost("area", "um2", "cell area with ripple-carry adders", |c| c.ripple.area_um2),
+    cost("area-prefix", "um2", "cell area with prefix adders", |c| c.prefix.area_um2),
+    cost("delay", "ps", "slowest step with ripple-carry adders", |c| c.ripple.delay_ps),
+    cost("delay-prefix", "ps", "slowest step with prefix adders", |c| c.prefix.delay_ps),
+    cost("adder-bits", "bits", "adder bits of all units", |c| f64::from(c.adder_bits)),
+    cost("register-bits", "bits", "register bits of all units", |c| f64::from(c.register_bits)),
+    cost("setup-bits", "bits", "widest intermediate of set-up", |c| f64::from(c.setup_bits)),
+];
+
+/// One cause of error, one figure of it.
+macro_rules! counts {
+    ($($name:literal $snap:literal $field:ident $about:literal),* $(,)?) => {[
+        $(count($name, $about, |a| counted(a.arithmetic.$field)),
+          count($snap, concat!($about, ", by snapping"), |a| counted(a.snap.$field)),)*
+    ]};
+}
+
+const fn count(
+    name: &'static str,
+    about: &'static str,
+    read: fn(&Accuracy) -> Option<f64>,
+) -> Metric {
+    let unit = "samples";
+    Metric { name, unit, about, source: Source::Accuracy(read) }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "a count in a report")]
+#[allow(clippy::unnecessary_wraps, reason = "the form of every figure")]
+fn counted(count: u64) -> Option<f64> {
+    Some(count as f64)
+}
+
+const COUNTS: [Metric; 16] = counts![
+    "misclassified" "snap-misclassified" misclassified "samples wrongly covered or not",
+    "holes" "snap-holes" holes "samples of the scene hit too seldom",
+    "double-hits" "snap-double-hits" double_hits "samples of the scene hit too often",
+    "inversions" "snap-inversions" inversions "neighbours in depth that change places",
+    "ties" "snap-ties" ties "neighbours in depth that become equal",
+    "wraps" "snap-wraps" wraps "depths beyond the guard range",
+    "clamps" "snap-clamps" clamps "depths held at an end of the range",
+    "refused" "snap-refused" refused "triangles outside the vertex field",
+];
+
+macro_rules! spreads {
+    ($($name:literal $cause:ident $value:ident $scale:ident $unit:literal $part:ident $about:literal),* $(,)?) => {[
+        $(Metric { name: $name, unit: $unit, about: $about, source: Source::Accuracy(|a| {
+            figure(&a.$cause, |d| d.$value.as_ref(), |e| &e.$scale).map(|s| s.$part.abs())
+        })},)*
+    ]};
+}
+
+fn figure<'a>(
+    cause: &'a Deviation,
+    value: impl Fn(&'a Deviation) -> Option<&'a ValueError>,
+    scale: impl Fn(&'a ValueError) -> &'a Spread,
+) -> Option<&'a Spread> {
+    value(cause).map(scale)
+}
+
+const SPREADS: [Metric; 24] = spreads![
+    "depth-worst" arithmetic depth ulp "ULP" worst "worst depth error",
+    "depth-mean" arithmetic depth ulp "ULP" mean "mean depth error, its size",
+    "depth-rms" arithmetic depth ulp "ULP" rms "RMS depth error",
+    "depth-worst-world" arithmetic depth world "world" worst "worst depth error as a distance",
+    "depth-mean-world" arithmetic depth world "world" mean "mean depth error as a distance",
+    "depth-rms-world" arithmetic depth world "world" rms "RMS depth error as a distance",
+    "attribute-worst" arithmetic attribute ulp "ULP" worst "worst attribute error",
+    "attribute-mean" arithmetic attribute ulp "ULP" mean "mean attribute error, its size",
+    "attribute-rms" arithmetic attribute ulp "ULP" rms "RMS attribute error",
+    "attribute-worst-world" arithmetic attribute world "range" worst "worst attribute error of its range",
+    "attribute-mean-world" arithmetic attribute world "range" mean "mean attribute error of its range",
+    "attribute-rms-world" arithmetic attribute world "range" rms "RMS attribute error of its range",
+    "snap-depth-worst" snap depth ulp "ULP" worst "worst depth moved by snapping",
+    "snap-depth-mean" snap depth ulp "ULP" mean "mean depth moved by snapping",
+    "snap-depth-rms" snap depth ulp "ULP" rms "RMS depth moved by snapping",
+    "snap-depth-worst-world" snap depth world "world" worst "worst distance moved by snapping",
+    "snap-depth-mean-world" snap depth world "world" mean "mean distance moved by snapping",
+    "snap-depth-rms-world" snap depth world "world" rms "RMS distance moved by snapping",
+    "snap-attribute-worst" snap attribute ulp "ULP" worst "worst attribute moved by snapping",
+    "snap-attribute-mean" snap attribute ulp "ULP" mean "mean attribute moved by snapping",
+    "snap-attribute-rms" snap attribute ulp "ULP" rms "RMS attribute moved by snapping",
+    "snap-attribute-worst-world" snap attribute world "range" worst "worst part of the range moved by snapping",
+    "snap-attribute-mean-world" snap attribute world "range" mean "mean part of the range moved by snapping",
+    "snap-attribute-rms-world" snap attribute world "range" rms "RMS part of the range moved by snapping",
+];
+
+const MEASURED: [Metric; 2] = [
+    Metric {
+        name: "operations",
+        unit: "a fragment",
+        about: "operations a covered sample, set-up shared out",
+        source: Source::Record(|record| Some(record.operations_per_fragment)),
+    },
+    Metric {
+        name: "ns",
+        unit: "ns a sample",
+        about: "software time of the model, one thread",
+        source: Source::Record(|record| record.speed.map(|speed| speed.ns_per_sample)),
+    },
+];
+
+/// Every metric: cost, coverage, values, software.
+pub fn all() -> impl Iterator<Item = Metric> {
+    COST.into_iter().chain(COUNTS).chain(SPREADS).chain(MEASURED)
+}
+
+/// The names, for a message.
+pub fn names() -> String {
+    all().map(|metric| metric.name).collect::<Vec<_>>().join(", ")
+}

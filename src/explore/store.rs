@@ -1,0 +1,182 @@
+//! What a sweep found, kept in a file as it comes, so that an interrupted one goes on and parts
+//! made elsewhere are joined. Spec clause `Q-6`.
+//!
+//! JSON Lines: the first line names the request, each further line one number of its space. What
+//! follows from the request alone, such as a budget's cost, is not kept but made again.
+
+use super::record::{Record, Speed};
+use super::space::{Point, describe};
+use super::sweep::{Found, Sweep};
+use crate::measure::accuracy::Accuracy;
+use crate::measure::cost::estimate;
+use crate::model::MODEL_VERSION;
+use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
+use std::collections::BTreeMap;
+
+/// The first line of a file.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Header {
+    /// `explore`.
+    pub guardbit: String,
+    /// Version of the model that measured.
+    pub model: u32,
+    /// SHA-256 of profile, axes and scenes.
+    pub request: String,
+    /// Numbers in the space.
+    pub budgets: u64,
+}
+
+/// A further line.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Line {
+    index: u64,
+    /// Absent for a number that is no budget.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    accuracy: Option<Accuracy>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    operations: Option<f64>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    speed: Option<Speed>,
+}
+
+/// A file of results that cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum StoreError {
+    /// Not such a file.
+    #[error("{path}:{line}: {message}; a file of results is written by `explore --save`")]
+    Syntax {
+        /// The file.
+        path: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong.
+        message: String,
+    },
+    /// Another sweep's results.
+    #[error(
+        "{path}: holds the results of another request ({what}): profile, axes, scenes and model \
+         version have to be the same"
+    )]
+    Other {
+        /// The file.
+        path: String,
+        /// What differs.
+        what: String,
+    },
+}
+
+impl Header {
+    /// The header of a sweep.
+    pub fn new(sweep: &Sweep) -> Self {
+        let mut hash = Sha256::new();
+        hash.update(sweep.space.base().to_toml());
+        for axis in sweep.space.axes() {
+            let values: Vec<String> = axis.values.iter().map(ToString::to_string).collect();
+            hash.update(format!("\n{}={}", axis.field.name(), values.join(",")));
+        }
+        for scene in &sweep.scenes {
+            hash.update(format!("\n{:?}", scene.lens));
+            scene.hash(&mut |bytes| hash.update(bytes));
+        }
+        Self {
+            guardbit: "explore".to_owned(),
+            model: MODEL_VERSION,
+            request: hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect(),
+            budgets: sweep.space.len(),
+        }
+    }
+
+    /// The first line of a file.
+    pub fn line(&self) -> String {
+        serde_json::to_string(self).unwrap_or_default() + "\n"
+    }
+
+    fn differs(&self, other: &Self) -> Option<String> {
+        if self.guardbit != other.guardbit {
+            Some(format!("made by `{}`", other.guardbit))
+        } else if self.model != other.model {
+            Some(format!("model version {}, not {}", other.model, self.model))
+        } else if self.budgets != other.budgets {
+            Some(format!("{} budgets, not {}", other.budgets, self.budgets))
+        } else {
+            (self.request != other.request).then(|| "same size, other contents".to_owned())
+        }
+    }
+}
+
+/// The line of a result.
+pub fn line(found: &Found) -> String {
+    let line = match found {
+        Found::Measured(record) => Line {
+            index: record.index,
+            accuracy: Some(record.accuracy.clone()),
+            operations: Some(record.operations_per_fragment),
+            speed: record.speed,
+        },
+        Found::Skipped(index) => {
+            Line { index: *index, accuracy: None, operations: None, speed: None }
+        }
+    };
+    serde_json::to_string(&line).unwrap_or_default() + "\n"
+}
+
+/// Results by number; of two for one number the later counts.
+pub type Results = BTreeMap<u64, Found>;
+
+/// Reads a file's results into those of a sweep. A last line that was cut short is passed over:
+/// whoever wrote it was interrupted. Returns how many bytes are whole lines.
+///
+/// # Errors
+/// [`StoreError`] with file and line.
+pub fn read(
+    sweep: &Sweep,
+    path: &str,
+    text: &str,
+    results: &mut Results,
+) -> Result<usize, StoreError> {
+    let syntax =
+        |line, message: String| StoreError::Syntax { path: path.to_owned(), line, message };
+    let whole = text.rfind('\n').map_or(0, |end| end + 1);
+    let mut lines = (1..).zip(text[..whole].lines());
+    let Some((_, first)) = lines.next() else {
+        return Err(syntax(1, "no line names the request".to_owned()));
+    };
+    let header: Header =
+        serde_json::from_str(first).map_err(|error| syntax(1, error.to_string()))?;
+    if let Some(what) = Header::new(sweep).differs(&header) {
+        return Err(StoreError::Other { path: path.to_owned(), what });
+    }
+    for (number, text) in lines {
+        let line: Line =
+            serde_json::from_str(text).map_err(|error| syntax(number, error.to_string()))?;
+        let index = line.index;
+        if index >= sweep.space.len() {
+            return Err(syntax(number, format!("index = {index} >= {}", sweep.space.len())));
+        }
+        let found = restore(sweep, line)
+            .ok_or_else(|| syntax(number, format!("{index} is no budget, and has results")))?;
+        results.insert(index, found);
+    }
+    Ok(whole)
+}
+
+fn restore(sweep: &Sweep, line: Line) -> Option<Found> {
+    let Line { index, accuracy, operations, speed } = line;
+    let (Some(accuracy), Some(operations_per_fragment)) = (accuracy, operations) else {
+        return Some(Found::Skipped(index));
+    };
+    let Ok(Point::Budget(profile)) = sweep.space.point(index) else { return None };
+    Some(Found::Measured(Box::new(Record {
+        index,
+        budget: describe(&profile),
+        accuracy,
+        cost: estimate(&profile).ok()?,
+        operations_per_fragment,
+        speed,
+        synthesis: None,
+        pareto: false,
+    })))
+}

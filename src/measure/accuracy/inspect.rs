@@ -1,0 +1,61 @@
+//! One face at a time, sample by sample: for pictures of errors and for witnesses.
+
+use super::drawn::Runs;
+use super::run::{Side, compare};
+use super::stage::{Face, Stage, Surface};
+use super::value::Walk;
+use crate::measure::error::SampleError;
+use crate::model::Model;
+use crate::profile::{InvalidProfile, Profile};
+
+/// Looks at the samples of a stage through one profile.
+#[derive(Debug)]
+pub struct Inspector<'a> {
+    stage: &'a Stage,
+    model: Model,
+}
+
+/// Which value to look at.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Value {
+    /// Depth.
+    Depth,
+    /// The attribute.
+    Attribute,
+}
+
+impl<'a> Inspector<'a> {
+    /// An inspector of a stage that was made for this profile's grid.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn new(stage: &'a Stage, profile: &Profile) -> Result<Self, InvalidProfile> {
+        Ok(Self { stage, model: Model::new(profile)? })
+    }
+
+    /// Calls `each` with column, row and error of every sample of a face that is covered or should
+    /// be; the error of a sample that is both is that of `value`, in ULP.
+    pub fn face(&self, face: &Face, value: Value, mut each: impl FnMut(u32, u32, SampleError)) {
+        let mut drawn = Runs(Vec::new());
+        // A triangle that the profile refuses is missing as a whole.
+        let _ = self.model.draw(&face.triangle, &mut drawn);
+        let surface: Option<&Surface> = match value {
+            Value::Depth => face.depth.as_ref(),
+            Value::Attribute => face.attribute.as_ref(),
+        };
+        let walk = self.model.depth().zip(surface);
+        let walk = walk.map(|(depth, surface)| Walk::new(self.stage, depth, face, surface));
+        compare(&self.stage.runs[face.runs.clone()], &drawn.0, |side, run| {
+            for x in run.x0..run.x1 {
+                let error = match side {
+                    Side::Missing => SampleError::Missing,
+                    Side::Extra => SampleError::Extra,
+                    Side::Both => SampleError::Depth(
+                        walk.as_ref().map_or(0.0, |walk| walk.held_ulp(self.stage, x, run.y)),
+                    ),
+                };
+                each(x, run.y, error);
+            }
+        });
+    }
+}
