@@ -6,6 +6,7 @@ mod diff;
 mod eval;
 mod explore;
 mod failure;
+mod fit;
 mod output;
 mod profile;
 mod progress;
@@ -38,6 +39,7 @@ enum Command {
     Diff(diff::Arguments),
     Eval(eval::Arguments),
     Explore(explore::Arguments),
+    Fit(fit::Arguments),
     Profile(profile::Arguments),
     Render(render::Arguments),
     Speed(speed::Arguments),
@@ -72,6 +74,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explore(arguments) => explore::run(&arguments),
+        Command::Fit(arguments) => fit::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),

@@ -4,6 +4,7 @@
 pub mod claims;
 pub mod clock;
 pub mod field;
+pub mod fit;
 pub mod metric;
 pub mod pareto;
 pub mod record;

@@ -21,6 +21,7 @@ use guardbit::vector::plan::Shard;
 use session::Session;
 use std::io::Write;
 use std::path::PathBuf;
+pub(crate) use table::{figure, help as columns_help};
 
 /// Measure every budget of a space on scenes: accuracy, hardware cost, software speed, Pareto front.
 ///
@@ -109,6 +110,11 @@ impl SpaceArguments {
         }
         Ok(Sweep { space, scenes })
     }
+}
+
+/// `name=value`.
+pub(crate) fn in_words_budget(name: &str, value: impl std::fmt::Display) -> String {
+    format!("{name}={value}")
 }
 
 /// The metric of a name.

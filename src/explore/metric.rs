@@ -1,6 +1,7 @@
 //! The figures of a budget by name: what sweeps plot, fits bound and Pareto fronts weigh. All are
 //! better when smaller. Spec clause `Q-4`.
 
+use super::field::Level;
 use super::record::Record;
 use crate::measure::accuracy::{Accuracy, Deviation, Spread, ValueError};
 use crate::measure::cost::Cost;
@@ -68,6 +69,15 @@ impl Metric {
         matches!(self.source, Source::Cost(_))
     }
 
+    /// What the figure of an accuracy depends on.
+    pub fn level(&self) -> Level {
+        match self.name {
+            name if name.starts_with("snap-") => Level::Stage,
+            "misclassified" | "holes" | "double-hits" => Level::Coverage,
+            _ => Level::Value,
+        }
+    }
+
     /// Whether the figure is one of accuracy.
     pub fn is_accuracy(&self) -> bool {
         matches!(self.source, Source::Accuracy(_))
@@ -98,11 +108,10 @@ const COST: [Metric; 7] = [
     cost("setup-bits", "bits", "widest intermediate of set-up", |c| f64::from(c.setup_bits)),
 ];
 
-/// One cause of error, one figure of it.
+/// Counts of samples or triangles, one cause of error each.
 macro_rules! counts {
-    ($($name:literal $snap:literal $field:ident $about:literal),* $(,)?) => {[
-        $(count($name, $about, |a| counted(a.arithmetic.$field)),
-          count($snap, concat!($about, ", by snapping"), |a| counted(a.snap.$field)),)*
+    ($($name:literal $cause:ident $field:ident $about:literal),* $(,)?) => {[
+        $(count($name, $about, |a| counted(a.$cause.$field)),)*
     ]};
 }
 
@@ -121,15 +130,21 @@ fn counted(count: u64) -> Option<f64> {
     Some(count as f64)
 }
 
-const COUNTS: [Metric; 16] = counts![
-    "misclassified" "snap-misclassified" misclassified "samples wrongly covered or not",
-    "holes" "snap-holes" holes "samples of the scene hit too seldom",
-    "double-hits" "snap-double-hits" double_hits "samples of the scene hit too often",
-    "inversions" "snap-inversions" inversions "neighbours in depth that change places",
-    "ties" "snap-ties" ties "neighbours in depth that become equal",
-    "wraps" "snap-wraps" wraps "depths beyond the guard range",
-    "clamps" "snap-clamps" clamps "depths held at an end of the range",
-    "refused" "snap-refused" refused "triangles outside the vertex field",
+const COUNTS: [Metric; 14] = counts![
+    "misclassified" arithmetic misclassified "samples wrongly covered or not",
+    "holes" arithmetic holes "samples of the scene hit too seldom",
+    "double-hits" arithmetic double_hits "samples of the scene hit too often",
+    "inversions" arithmetic inversions "neighbours in depth that change places",
+    "ties" arithmetic ties "neighbours in depth that become equal",
+    "wraps" arithmetic wraps "depths beyond the guard range",
+    "clamps" arithmetic clamps "depths held at an end of the range",
+    "snap-misclassified" snap misclassified "samples won or lost by snapping",
+    "snap-holes" snap holes "samples hit too seldom by snapping",
+    "snap-double-hits" snap double_hits "samples hit too often by snapping",
+    "snap-inversions" snap inversions "neighbours in depth exchanged by snapping",
+    "snap-ties" snap ties "neighbours in depth made unequal by snapping",
+    "snap-refused" snap refused "triangles outside the vertex field",
+    "snap-vanished" snap vanished "triangles without area once snapped",
 ];
 
 macro_rules! spreads {

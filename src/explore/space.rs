@@ -211,6 +211,24 @@ impl Space {
         &self.axes
     }
 
+    /// A profile with another value in one field; an edge width that follows the grid follows it.
+    ///
+    /// # Errors
+    /// [`FieldError`] for a value that the field does not take.
+    pub fn with(
+        &self,
+        profile: &Profile,
+        field: Field,
+        value: &Value,
+    ) -> Result<Profile, FieldError> {
+        let mut changed = profile.clone();
+        field.write(&mut changed, value)?;
+        if self.follows {
+            let _ = Field::EdgeWidth.write(&mut changed, &Value::Name("exact"));
+        }
+        Ok(changed)
+    }
+
     /// How many numbers the space has.
     pub fn len(&self) -> u64 {
         self.axes.iter().map(|axis| axis.values.len() as u64).product()

@@ -8,6 +8,7 @@
 
 mod affine;
 mod drawn;
+mod find;
 mod inspect;
 mod moment;
 mod order;
@@ -20,13 +21,14 @@ mod world;
 
 pub use affine::Affine;
 pub use drawn::{Drawn, bounding_box, needed_width};
+pub use find::{Place, What};
 pub use inspect::{Inspector, Value as Inspected};
 pub use moment::{Moments, Spread};
 pub use order::{Pair, first_overlap};
 pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};
 pub use stage::{Face, Stage, Surface};
 pub use tally::{Accuracy, Deviation, Tally, ValueError, ValueTally};
-pub use value::{Values, face_values};
+pub use value::{Reach, Values, face_values};
 pub use world::World;
 
 use crate::dda::Processor;

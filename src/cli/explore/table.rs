@@ -2,7 +2,6 @@
 
 use super::{Failure, Field, Metric, Outcome, Output, Record, Sweep};
 use guardbit::explore::metric;
-use guardbit::explore::record;
 
 /// Figures that a table has beside the varied fields and the objectives.
 const FIGURES: [&str; 9] = [
@@ -129,7 +128,7 @@ pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure
 }
 
 /// Lists fields and metrics.
-pub(super) fn help() -> Result<Outcome, Failure> {
+pub(crate) fn help() -> Result<Outcome, Failure> {
     let mut output = Output::new();
     output.line("fields to vary (--vary FIELD=VALUES, as 6..13, or a list with commas):")?;
     for field in Field::ALL {
@@ -147,12 +146,4 @@ pub(super) fn help() -> Result<Outcome, Failure> {
     }
     output.flush()?;
     Ok(Outcome::Good)
-}
-
-/// What a record's budget is, in a line: the varied fields.
-pub(crate) fn name(record: &record::Record, sweep: &Sweep) -> String {
-    let axes = sweep.space.axes().iter();
-    let parts =
-        axes.map(|axis| format!("{}={}", axis.field.name(), field(record, axis.field.name())));
-    parts.collect::<Vec<_>>().join(" ")
 }

@@ -39,13 +39,27 @@ impl Drawn {
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality.
     pub fn new(stage: &Stage, profile: &Profile) -> Result<Self, InvalidProfile> {
+        Self::until(stage, profile, &mut |_, _| true)
+            .map(|drawn| drawn.unwrap_or_else(|_| unreachable!("nobody stops it")))
+    }
+
+    /// The same, as long as `go_on` of a face and the missing and extra samples so far says so;
+    /// otherwise the tally at which it was stopped, without holes and double hits.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn until(
+        stage: &Stage,
+        profile: &Profile,
+        go_on: &mut dyn FnMut(usize, &Tally) -> bool,
+    ) -> Result<Result<Self, Tally>, InvalidProfile> {
         let coverage = Profile { depth: None, ..profile.clone() };
         let model = Model::new(&coverage)?;
         let mut runs = Runs(Vec::new());
         let (mut both, mut ends) = (Vec::new(), Vec::with_capacity(stage.faces.len()));
         let (mut tally, mut hits) = (Tally::default(), Hits::default());
         let (mut visited, mut rows, mut covered) = (0, 0, 0);
-        for face in &stage.faces {
+        for (n, face) in stage.faces.iter().enumerate() {
             let exact = &stage.runs[face.runs.clone()];
             // A word that holds every value the walk meets covers what the exact edges do: `B-2`.
             let certain = match profile.form {
@@ -68,6 +82,9 @@ impl Drawn {
                 });
                 covered += runs.0.iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
             }
+            if !go_on(n, &tally) {
+                return Ok(Err(tally));
+            }
             ends.push(both.len());
             let [x0, y0, x1, y1] = bounding_box(stage, face);
             rows += u64::from(y1 - y0);
@@ -79,7 +96,19 @@ impl Drawn {
         }
         (tally.holes, tally.double_hits) = hits.holes_and_doubles();
         let exact = tally.missing == 0;
-        Ok(Self { both: (!exact).then_some((both, ends)), tally, visited, rows, covered })
+        Ok(Ok(Self { both: (!exact).then_some((both, ends)), tally, visited, rows, covered }))
+    }
+
+    /// How many of the samples that are drawn and right have depth.
+    pub fn depth_samples(&self, stage: &Stage) -> u64 {
+        let faces = stage.faces.iter().enumerate().filter(|(_, face)| face.depth.is_some());
+        let runs = faces.flat_map(|(n, _)| self.runs(stage, n));
+        runs.map(|run| u64::from(run.x1 - run.x0)).sum()
+    }
+
+    /// Whether every sample that should be drawn is.
+    pub fn is_whole(&self) -> bool {
+        self.both.is_none()
     }
 
     /// The samples of face `index` that are both drawn and right.

@@ -111,7 +111,11 @@ fn order(stage: &Stage, [x, y]: [u32; 2], a: &Layer, b: &Layer) -> Ordering {
 }
 
 /// The order of two faces at a sample before snapping, the one that is nearer now named first.
-fn before_snapping(stage: &Stage, [x, y]: [u32; 2], faces: [u32; 2]) -> Option<Ordering> {
+pub(super) fn before_snapping(
+    stage: &Stage,
+    [x, y]: [u32; 2],
+    faces: [u32; 2],
+) -> Option<Ordering> {
     let depth = |face: u32| Some(surface(stage, face)?.before?.at(x, y));
     Some(depth(faces[0])?.total_cmp(&depth(faces[1])?))
 }
@@ -122,30 +126,40 @@ pub(super) fn broken(stage: &Stage, depth: &Depth, worst: f64) -> (u64, u64) {
     // Codes are floors: equal ones are less than 1 apart, each off by `worst` at most.
     let reach = 1.0 + 2.0 * worst;
     let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
-    let plane = |face: &Face| {
-        let vertex = face.depth.as_ref()?.vertex;
-        Some(depth.plane(&face.triangle, vertex, &stage.grid))
-    };
-    // Few pairs are close enough as a rule; where most are, each face is set up once.
-    let prepared: Vec<Option<Plane>> = if pairs.len() > stage.faces.len() {
-        stage.faces.iter().map(plane).collect()
-    } else {
-        Vec::new()
-    };
-    let code = |face: u32, pair: &Pair| {
-        let index = face as usize;
-        let plane = prepared.get(index).copied().unwrap_or_else(|| plane(&stage.faces[index]))?;
-        Some(depth.held(&plane, pair.x, pair.y) >> depth.read_out().fraction())
-    };
     let (mut inversions, mut ties) = (0, 0);
-    for pair in pairs {
-        match code(pair.near, pair).cmp(&code(pair.far, pair)) {
+    for (_, order) in pairs_in_order(stage, depth, pairs) {
+        match order {
             Ordering::Less => {}
             Ordering::Equal => ties += 1,
             Ordering::Greater => inversions += 1,
         }
     }
     (inversions, ties)
+}
+
+/// Pairs of a stage, and the order that a depth evaluator gives each.
+pub(super) fn pairs_in_order<'a>(
+    stage: &'a Stage,
+    depth: &'a Depth,
+    pairs: &'a [Pair],
+) -> impl Iterator<Item = (&'a Pair, Ordering)> {
+    let plane = |face: &Face| {
+        let vertex = face.depth.as_ref()?.vertex;
+        Some(depth.plane(&face.triangle, vertex, &stage.grid))
+    };
+    // Few pairs are close enough as a rule; where most are, each face is set up once.
+    let many = pairs.len() > stage.faces.len();
+    let prepared: Vec<Option<Plane>> =
+        if many { stage.faces.iter().map(plane).collect() } else { Vec::new() };
+    pairs.iter().map(move |pair| {
+        let code = |face: u32| {
+            let index = face as usize;
+            let made = prepared.get(index).copied();
+            let plane = made.unwrap_or_else(|| plane(&stage.faces[index]))?;
+            Some(depth.held(&plane, pair.x, pair.y) >> depth.read_out().fraction())
+        };
+        (pair, code(pair.near).cmp(&code(pair.far)))
+    })
 }
 
 /// Whether any two faces share a sample: without that, nothing needs a depth test.

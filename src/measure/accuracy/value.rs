@@ -26,8 +26,30 @@ pub struct Values {
     pub wraps: u64,
     /// Samples whose depth was held at an end of its range.
     pub clamps: u64,
-    /// Smallest and largest accumulator at any sample, unwrapped, depth and attribute.
-    pub extent: Option<(i128, i128)>,
+    /// Smallest and largest depth accumulator at any sample, unwrapped.
+    pub depth_extent: Reach,
+    /// The same of the attribute.
+    pub attribute_extent: Reach,
+}
+
+/// Smallest and largest accumulator seen, unwrapped.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Reach(pub Option<(i128, i128)>);
+
+impl Reach {
+    /// Takes in further values.
+    #[inline]
+    pub fn widen(&mut self, other: Self) {
+        if let Some((low, high)) = other.0 {
+            let (lowest, highest) = self.0.unwrap_or((low, high));
+            self.0 = Some((lowest.min(low), highest.max(high)));
+        }
+    }
+
+    /// Whether all of it lies in a half-open range.
+    pub fn within(&self, (lowest, limit): (i128, i128)) -> bool {
+        self.0.is_none_or(|(low, high)| lowest <= low && high < limit)
+    }
 }
 
 /// One value of one face as it is walked, beside what it should be.
@@ -49,14 +71,8 @@ impl Values {
         self.attribute.merge(&other.attribute);
         self.wraps += other.wraps;
         self.clamps += other.clamps;
-        if let Some(extent) = other.extent {
-            self.widen(extent);
-        }
-    }
-
-    fn widen(&mut self, (low, high): (i128, i128)) {
-        let (lowest, highest) = self.extent.unwrap_or((low, high));
-        self.extent = Some((lowest.min(low), highest.max(high)));
+        self.depth_extent.widen(other.depth_extent);
+        self.attribute_extent.widen(other.attribute_extent);
     }
 
     /// Whether any value was wrapped.
@@ -70,35 +86,20 @@ pub fn face_values(stage: &Stage, depth: &Depth, face: &Face, runs: &[Span], val
     if let Some(attribute) = &face.attribute {
         let (walk, world) = (Walk::new(stage, depth, face, attribute), stage.world.flat());
         for run in runs {
-            let plain = values.reach(&walk, run);
+            let plain = walk.reach(run, &mut values.attribute_extent);
             walk.errors(stage, &world, run, plain, &mut values.attribute);
         }
     }
     let Some(surface) = &face.depth else { return };
     let walk = Walk::new(stage, depth, face, surface);
     for run in runs {
-        let plain = values.reach(&walk, run);
+        let plain = walk.reach(run, &mut values.depth_extent);
         walk.errors(stage, &stage.world, run, plain, &mut values.depth);
         if !plain {
             let events = depth.events(&walk.plane, run.y, run.x0, run.x1 - run.x0);
             values.wraps += events.count(Event::Wrap);
             values.clamps += events.count(Event::ClampAbove) + events.count(Event::ClampBelow);
         }
-    }
-}
-
-impl Values {
-    /// Widens the extent by a run; whether all of it lies inside the range, on a plane that is
-    /// added up without a hold.
-    #[inline]
-    fn reach(&mut self, walk: &Walk<'_>, run: &Span) -> bool {
-        let y = i128::from(run.y);
-        let ends = [run.x0, run.x1 - 1].map(|x| walk.plane.at(x.into(), y));
-        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        self.widen((low, high));
-        let read = walk.depth.read_out();
-        let (lowest, limit) = read.range();
-        low >= lowest.max(0) && high < limit.min(read.top()) && read.clamp() != Clamp::Saturate
     }
 }
 
@@ -122,6 +123,19 @@ impl<'a> Walk<'a> {
         };
         let whole = real(exact.whole) * real(1 << fraction);
         Self { depth, plane, surface, error, narrow, whole }
+    }
+
+    /// Widens a reach by a run; whether all of it lies inside the range, on a plane that is added
+    /// up without a hold.
+    #[inline]
+    fn reach(&self, run: &Span, reach: &mut Reach) -> bool {
+        let y = i128::from(run.y);
+        let ends = [run.x0, run.x1 - 1].map(|x| self.plane.at(x.into(), y));
+        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+        reach.widen(Reach(Some((low, high))));
+        let read = self.depth.read_out();
+        let (lowest, limit) = read.range();
+        low >= lowest.max(0) && high < limit.min(read.top()) && read.clamp() != Clamp::Saturate
     }
 
     /// The error at a pixel, in ULP: an exact numerator, divided once.

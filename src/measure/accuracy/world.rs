@@ -35,6 +35,11 @@ impl World {
         ulp / self.top * self.lens.map_or(1.0, |lens| lens.steepness(part))
     }
 
+    /// The most that an error of so many ULP can be worth anywhere: far away it is worth most.
+    pub fn largest(&self, ulp: f64) -> f64 {
+        self.depth(ulp, 0.0).max(self.depth(ulp, 1.0))
+    }
+
     /// Adds a run of errors and parts that both change in equal steps between their ends.
     #[inline]
     pub fn depth_run(&self, ulp: [f64; 2], part: [f64; 2], count: u32, into: &mut Moments) {

@@ -1,0 +1,205 @@
+//! `guardbit fit`: the cheapest budget that meets tolerances on these scenes.
+
+mod report;
+
+use super::Outcome;
+use super::explore::{SpaceArguments, columns_help, parse_metric};
+use super::failure::Failure;
+use super::output::{Output, write_whole};
+use super::progress;
+use super::vectors::{parse_shard, threads};
+use guardbit::explore::field::{Field, Value, exact_width};
+use guardbit::explore::fit::{Least, Request, Tolerance, exhaustive, fit, least};
+use guardbit::explore::metric::Metric;
+use guardbit::explore::space::{Axis, Point};
+use guardbit::profile::Profile;
+use guardbit::vector::plan::Shard;
+use report::Report;
+use std::io::Write;
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+
+/// Find the cheapest budget of a space that meets tolerances on scenes, proved cheapest, with a
+/// witness that one bit less fails for each field.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    #[command(flatten)]
+    space: SpaceArguments,
+    /// A figure and the most it may be, such as depth-worst=0.5; again for each further one. By
+    /// default misclassified=0, wraps=0 and depth-worst=0.5.
+    #[arg(long = "within", value_name = "METRIC=LIMIT", value_parser = parse_tolerance)]
+    tolerances: Vec<Tolerance>,
+    /// What is to be small, one of the metrics of cost.
+    #[arg(long, value_name = "METRIC", default_value = "area", value_parser = parse_metric)]
+    cost: Metric,
+    /// Every larger budget of the space has to meet the tolerances as well.
+    #[arg(long)]
+    robust: bool,
+    /// Measure every budget instead: slower, and the same answer.
+    #[arg(long, conflicts_with_all = ["robust", "merge"])]
+    exhaustive: bool,
+    /// Write the fitted profile to FILE, as TOML.
+    #[arg(long, value_name = "FILE")]
+    profile_out: Option<PathBuf>,
+    /// Search one part of the space, I/N with I from 0; join the parts with --merge.
+    #[arg(long, value_name = "I/N", value_parser = parse_shard)]
+    shard: Option<Shard>,
+    /// Write the answer to FILE as JSON: what --merge reads.
+    #[arg(long, value_name = "FILE")]
+    save: Option<PathBuf>,
+    /// Join the answers of all parts, as saved for this same request.
+    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "shard")]
+    merge: Vec<PathBuf>,
+    /// Print JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+/// `METRIC=LIMIT`.
+fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
+    let (name, limit) =
+        text.split_once('=').ok_or("a tolerance looks like depth-worst=0.5: METRIC=LIMIT")?;
+    let metric = parse_metric(name.trim())?;
+    if !metric.is_accuracy() {
+        return Err(format!("{name} is no figure of accuracy: name a cost with --cost"));
+    }
+    match limit.trim().parse::<f64>() {
+        Ok(limit) if limit >= 0.0 && limit.is_finite() => Ok(Tolerance { metric, limit }),
+        _ => Err(format!("{limit:?}: a limit is a number, 0 or more: errors are sizes")),
+    }
+}
+
+/// What a bare `fit` searches: the bits of the edge word and of the depth accumulator.
+fn default_axes(base: &Profile) -> Vec<Axis> {
+    let bits = |from: u32, to| (from..=to).map(Value::Bits).collect();
+    let mut axes = Vec::new();
+    if let Some(width) = exact_width(base) {
+        let values = bits(width.saturating_sub(11).max(2), width);
+        axes.push(Axis { field: Field::EdgeWidth, values });
+    }
+    if let Some(depth) = base.depth {
+        let most = depth.interpolation;
+        axes.push(Axis { field: Field::Interpolation, values: bits(0, most) });
+        axes.push(Axis { field: Field::Guard, values: bits(0, depth.guard.max(1)) });
+    }
+    axes
+}
+
+fn default_tolerances() -> Vec<Tolerance> {
+    let defaults = [("misclassified", 0.0), ("wraps", 0.0), ("depth-worst", 0.5)];
+    let found = |(name, limit)| Some(Tolerance { metric: Metric::find(name)?, limit });
+    defaults.into_iter().filter_map(found).collect()
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if arguments.space.axes.iter().any(|axis| axis == "help") {
+        return columns_help();
+    }
+    if !arguments.cost.is_cost() {
+        let message = format!("--cost {}: not known from the bits alone", arguments.cost.name);
+        return Err(Failure::input(message).hint("costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits, setup-bits"));
+    }
+    let sweep = arguments.space.sweep(default_axes)?;
+    let tolerances = if arguments.tolerances.is_empty() {
+        default_tolerances()
+    } else {
+        arguments.tolerances.clone()
+    };
+    let (first, end) = arguments.shard.unwrap_or(Shard::WHOLE).range(sweep.space.len());
+    let request = Request {
+        sweep: &sweep,
+        tolerances,
+        cost: arguments.cost,
+        robust: arguments.robust,
+        numbers: first..end,
+    };
+    let report = if arguments.exhaustive {
+        return run_exhaustive(arguments, &request);
+    } else if arguments.merge.is_empty() {
+        let monitor = progress::monitor();
+        let found = progress::watch("searching", &monitor, || {
+            fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
+        })?;
+        let Some(found) = found else {
+            return Err(Failure::interrupted("interrupted: nothing was found by then"));
+        };
+        Report::new(&request, &arguments.space.scenes, arguments.shard, &found)
+    } else {
+        report::merge(&request, &arguments.merge)?
+    };
+    if let Some(path) = &arguments.save {
+        write_whole(path, |mut file| {
+            serde_json::to_writer_pretty(&mut file, &report).map_err(std::io::Error::from)?;
+            file.write_all(b"\n")?;
+            file.flush()
+        })?;
+    }
+    if report.budget.is_none() && arguments.shard.is_none() {
+        return Err(impossible(&least(&request).map_err(Failure::input)?));
+    }
+    if let (Some(path), Some(index)) = (&arguments.profile_out, report.index)
+        && let Ok(Point::Budget(profile)) = sweep.space.point(index)
+    {
+        let text = Profile { name: format!("{}-fit", profile.name), ..profile }.to_toml();
+        write_whole(path, |mut file| {
+            file.write_all(text.as_bytes())?;
+            file.flush()
+        })?;
+    }
+    let mut output = Output::new();
+    if arguments.json {
+        output.json(&report)?;
+        return Ok(Outcome::Good);
+    }
+    report.print(&mut output, &sweep)?;
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+/// Says which tolerance is out of reach, and the nearest that is not.
+fn impossible(least: &[Least]) -> Failure {
+    let named = |budget: &[(&'static str, Value)]| {
+        let parts = budget.iter().map(|(name, value)| format!("{name}={value}"));
+        parts.collect::<Vec<_>>().join(" ")
+    };
+    let out_of_reach: Vec<&Least> = least.iter().filter(|l| l.value > l.limit).collect();
+    let Some(first) = out_of_reach.first() else {
+        let message = "no budget of this space meets all tolerances, though each can be met alone";
+        let each: Vec<String> = least
+            .iter()
+            .map(|l| format!("{} {} at {}", l.metric.name, l.value, named(&l.budget)))
+            .collect();
+        return Failure::input(message)
+            .hint(&format!("the least of each: {}; widen the space with --vary", each.join("; ")));
+    };
+    let all: Vec<String> = out_of_reach
+        .iter()
+        .map(|l| format!("{} <= {}: the least is {}", l.metric.name, l.limit, l.value))
+        .collect();
+    Failure::input(format!("no budget of this space meets {}", all.join("; "))).hint(&format!(
+        "the nearest for {} is at {}; allow that much, or widen the space with --vary",
+        first.metric.name,
+        named(&first.budget)
+    ))
+}
+
+fn run_exhaustive(arguments: &Arguments, request: &Request<'_>) -> Result<Outcome, Failure> {
+    let found = exhaustive(request, threads(arguments.space.threads)).map_err(Failure::input)?;
+    let Some(index) = found else {
+        return Err(Failure::input("no budget of this space meets all tolerances"));
+    };
+    let Ok(Point::Budget(profile)) = request.sweep.space.point(index) else {
+        return Err(Failure::input("no budget"));
+    };
+    let budget = guardbit::explore::space::describe(&profile);
+    let parts: Vec<String> = budget.iter().map(|(name, value)| format!("{name}={value}")).collect();
+    let mut output = Output::new();
+    if arguments.json {
+        let value = serde_json::json!({ "index": index, "budget": report::as_map(&budget) });
+        output.json(&value)?;
+    } else {
+        output.line(format!("number {index}: {}", parts.join(" ")))?;
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}

@@ -1,0 +1,58 @@
+//! What the specification's bounds prove without measuring. Spec clause `Q-9`.
+
+use super::Tolerance;
+use crate::bits::Rounding;
+use crate::format::Clamp;
+use crate::measure::accuracy::{Drawn, Stage};
+use crate::profile::Profile;
+use crate::setup::Division;
+
+/// Whether every tolerance is proved to be met. The bound is for exact quotients under the guard
+/// clamp with a guard bit: with n roundings of at most e on the longest walk to a sample no error
+/// exceeds n e, and below one ULP no value leaves the guard range.
+pub(super) fn meets(
+    stages: &[Stage],
+    drawn: &[Drawn],
+    profile: &Profile,
+    tolerances: &[Tolerance],
+) -> bool {
+    let Some(depth) = profile.depth else { return false };
+    let guarded = matches!(depth.clamp, Clamp::Guard | Clamp::Error) && depth.guard >= 1;
+    if !guarded || depth.division != Division::Quotient {
+        return false;
+    }
+    let runs = stages.iter().flat_map(|stage| &stage.runs);
+    let longest = runs.map(|run| u64::from(run.x1 - 1) + u64::from(run.y)).max().unwrap_or(0);
+    let one = if is_nearest(depth.rounding) { 0.5 } else { 1.0 };
+    #[allow(clippy::cast_precision_loss, reason = "at most 2^17 steps")]
+    let error = (longest + 1) as f64 * one / 2f64.powi(depth.interpolation.cast_signed());
+    if error >= 1.0 || !drawn.iter().all(Drawn::is_whole) {
+        return false;
+    }
+    let world = stages.iter().map(|stage| stage.world.largest(error)).fold(0.0, f64::max);
+    let range = stages.iter().map(|stage| error / stage.world.top).fold(0.0, f64::max);
+    tolerances.iter().all(|Tolerance { metric, limit }| {
+        let most = match metric.name {
+            // No mean square exceeds the largest square, and no mean the largest error.
+            "depth-worst" | "depth-mean" | "depth-rms" => error,
+            "attribute-worst" | "attribute-mean" | "attribute-rms" => error,
+            "depth-worst-world" | "depth-mean-world" | "depth-rms-world" => world,
+            "attribute-worst-world" | "attribute-mean-world" | "attribute-rms-world" => range,
+            "wraps" => 0.0,
+            // Looked at before: they do not depend on the values.
+            name if name.starts_with("snap-") => return true,
+            "misclassified" | "holes" | "double-hits" => return true,
+            _ => return false,
+        };
+        most <= *limit
+    })
+}
+
+/// Whether a rounding errs by one half at most.
+pub(super) fn is_nearest(rounding: Rounding) -> bool {
+    use Rounding as R;
+    matches!(
+        rounding,
+        R::NearestEven | R::NearestUp | R::NearestDown | R::NearestAway | R::NearestTowardZero
+    )
+}

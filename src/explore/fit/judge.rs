@@ -1,0 +1,184 @@
+//! Whether a budget meets the tolerances, with as little measuring as proves it. Spec clause `Q-8`.
+
+use super::group::{Group, StageKey};
+use super::partly::Partly;
+use super::{Effort, Tolerance, bound};
+use crate::explore::field::Level;
+use crate::explore::sweep::Sweep;
+use crate::format::Clamp;
+use crate::measure::accuracy::{Accuracy, Tally, Values, depth_of, face_values, finish};
+use crate::profile::{InvalidProfile, Profile};
+
+/// What the answer for a budget is.
+#[derive(Clone, Debug)]
+pub(super) enum Verdict {
+    /// It meets every tolerance; measured, or the figures of one that was.
+    Meets(Box<Accuracy>),
+    /// It is proved to meet every tolerance; its figures are not known.
+    Proved,
+    /// It fails one at least.
+    Fails,
+}
+
+pub(super) struct Judge<'a> {
+    pub(super) sweep: &'a Sweep,
+    pub(super) tolerances: Vec<Tolerance>,
+    pub(super) effort: Effort,
+    /// Whether a proof will do where nobody asks for the figures.
+    pub(super) by_bound: bool,
+    group: Option<Group>,
+}
+
+/// Faces that are tried first, at most.
+const HOT: usize = 32;
+
+/// The first tolerance of a level that a figure exceeds; a figure that the scenes do not have
+/// exceeds nothing.
+pub(super) fn exceeded(
+    tolerances: &[Tolerance],
+    accuracy: &Accuracy,
+    level: Level,
+) -> Option<Tolerance> {
+    let mut here = tolerances.iter().filter(|tolerance| tolerance.metric.level() == level);
+    let over = |t: &&Tolerance| t.metric.of_accuracy(accuracy).is_some_and(|value| value > t.limit);
+    here.find(over).copied()
+}
+
+impl<'a> Judge<'a> {
+    pub(super) fn new(sweep: &'a Sweep, tolerances: &[Tolerance]) -> Self {
+        let tolerances = tolerances.to_vec();
+        Self { sweep, tolerances, effort: Effort::default(), by_bound: false, group: None }
+    }
+
+    /// The scenes on the grid of a profile, and what is known there.
+    pub(super) fn group(&mut self, profile: &Profile) -> Result<&mut Group, InvalidProfile> {
+        let key = StageKey::new(profile);
+        let group = match self.group.take() {
+            Some(group) if group.key == key => group,
+            _ => Group::new(key, self.sweep.stages(profile)?),
+        };
+        Ok(self.group.insert(group))
+    }
+
+    /// Whether a profile meets the tolerances.
+    pub(super) fn judge(&mut self, profile: &Profile) -> Result<Verdict, InvalidProfile> {
+        self.group(profile)?;
+        let Some(mut group) = self.group.take() else { return Ok(Verdict::Fails) };
+        let verdict = self.on_group(&mut group, profile);
+        self.group = Some(group);
+        verdict
+    }
+
+    fn on_group(
+        &mut self,
+        group: &mut Group,
+        profile: &Profile,
+    ) -> Result<Verdict, InvalidProfile> {
+        let snapped = group.report(&Tally::default());
+        if exceeded(&self.tolerances, &snapped, Level::Stage).is_some() {
+            self.effort.by_snap += 1;
+            return Ok(Verdict::Fails);
+        }
+        let at = group.coverage(profile, &self.tolerances)?;
+        let coverage = &group.coverages[at];
+        if coverage.drawn.is_none() {
+            self.effort.by_coverage += 1;
+            return Ok(Verdict::Fails);
+        }
+        if profile.depth.is_none() {
+            // Without depth there is nothing beyond coverage.
+            self.effort.evaluated += 1;
+            return Ok(self.conclude(group.report(&coverage.tally)));
+        }
+        self.values(group, at, profile)
+    }
+
+    /// Depth and attribute, on a coverage that meets its tolerances.
+    fn values(
+        &mut self,
+        group: &mut Group,
+        at: usize,
+        profile: &Profile,
+    ) -> Result<Verdict, InvalidProfile> {
+        let (Some(depth), Some(config)) = (depth_of(profile), profile.depth) else {
+            return Ok(Verdict::Fails);
+        };
+        let read = depth.read_out();
+        let plane = group.coverages[at].plane(config);
+        let held = plane.depth.within(read.range());
+        let no_wrap = |t: &Tolerance| t.metric.name == "wraps" && t.limit < 1.0;
+        if !held && self.tolerances.iter().any(no_wrap) {
+            self.effort.by_range += 1;
+            return Ok(Verdict::Fails);
+        }
+        if let Some(tally) = plane.whole
+            && held
+            && plane.attribute.within(read.range())
+        {
+            self.effort.by_sameness += 1;
+            return Ok(self.conclude(group.report(&tally)));
+        }
+        let coverage = &group.coverages[at];
+        let Some(drawn) = &coverage.drawn else { return Ok(Verdict::Fails) };
+        if self.by_bound && bound::meets(&group.stages, drawn, profile, &self.tolerances) {
+            self.effort.by_bound += 1;
+            return Ok(Verdict::Proved);
+        }
+        let mut partly = Partly::new(&self.tolerances, group, coverage);
+        let mut seen = Values::default();
+        let hot = group.hot.iter().position(|(scene, face)| {
+            let (stage, mut own) = (&group.stages[*scene], Values::default());
+            let runs = drawn[*scene].runs(stage, *face);
+            face_values(stage, &depth, &stage.faces[*face], runs, &mut own);
+            seen.merge(&own);
+            partly.fails(&own)
+        });
+        if let Some(hot) = hot {
+            group.coverages[at].plane(config).widen(&seen);
+            group.hot[..=hot].rotate_right(1);
+            self.effort.by_witness += 1;
+            return Ok(Verdict::Fails);
+        }
+        let (mut all, mut arithmetic) = (Values::default(), Tally::default());
+        for (scene, (stage, drawn)) in group.stages.iter().zip(drawn).enumerate() {
+            let mut values = Values::default();
+            for (n, face) in stage.faces.iter().enumerate() {
+                let mut own = Values::default();
+                face_values(stage, &depth, face, drawn.runs(stage, n), &mut own);
+                values.merge(&own);
+                let mut so_far = all;
+                if partly.is_due(&own, n) && {
+                    so_far.merge(&values);
+                    partly.fails(&so_far)
+                } {
+                    group.coverages[at].plane(config).widen(&so_far);
+                    group.hot.insert(0, (scene, n));
+                    group.hot.truncate(HOT);
+                    self.effort.by_part += 1;
+                    return Ok(Verdict::Fails);
+                }
+            }
+            let mut tally = drawn.tally;
+            finish(stage, &depth, &values, &mut tally);
+            arithmetic.merge(&tally);
+            all.merge(&values);
+        }
+        self.effort.evaluated += 1;
+        let plane = group.coverages[at].plane(config);
+        plane.widen(&all);
+        let held = plane.depth.within(read.range()) && plane.attribute.within(read.range());
+        if held && read.clamp() != Clamp::Saturate {
+            plane.whole = Some(arithmetic);
+        }
+        Ok(self.conclude(group.report(&arithmetic)))
+    }
+
+    fn conclude(&self, accuracy: Accuracy) -> Verdict {
+        let mut levels = [Level::Stage, Level::Coverage, Level::Value].into_iter();
+        if levels.any(|level| exceeded(&self.tolerances, &accuracy, level).is_some()) {
+            Verdict::Fails
+        } else {
+            Verdict::Meets(Box::new(accuracy))
+        }
+    }
+}
