@@ -6,6 +6,7 @@ mod diff;
 mod eval;
 mod failure;
 mod output;
+mod plot;
 mod profile;
 mod progress;
 mod render;

@@ -62,14 +62,14 @@ impl Tally {
 
 /// The exact plane over a triangle as integers: value times `whole` at sub-pixel (0, 0), and its
 /// changes.
-struct ExactPlane {
+pub(super) struct ExactPlane {
     whole: i128,
     origin: i128,
     slope: [i128; 2],
 }
 
 impl ExactPlane {
-    fn new(triangle: &Triangle) -> Option<Self> {
+    pub(super) fn new(triangle: &Triangle) -> Option<Self> {
         let (xy, z) = (triangle.xy, triangle.z?);
         let whole = exact::edge_value(xy[0], xy[1], xy[2]);
         let scaled = |value: exact::Rational| (value * &whole).to_integer().to_i128();
@@ -82,7 +82,7 @@ impl ExactPlane {
     }
 
     /// How far an accumulator of `fraction` fraction bits lies above the plane, in ULP.
-    fn error(&self, [x, y]: [i128; 2], accumulator: i128, fraction: u32) -> f64 {
+    pub(super) fn error(&self, [x, y]: [i128; 2], accumulator: i128, fraction: u32) -> f64 {
         let exact = self.origin + self.slope[0] * x + self.slope[1] * y;
         let above = accumulator * self.whole - (exact << fraction);
         above as f64 / (self.whole << fraction) as f64
