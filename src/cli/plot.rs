@@ -135,10 +135,8 @@ fn draw<'a>(chart: &Chart, backend: SVGBackend<'a>) -> Drawn<'a> {
             let crowded = |words: &Vec<(i32, i32)>, y: i32| {
                 words.iter().any(|(a, b)| (a - x).abs() < 18 && (b - y).abs() < 14)
             };
-            let (v, at) = match crowded(&words, y - 8) {
-                false => (VPos::Bottom, y - 8),
-                true => (VPos::Top, y + 9),
-            };
+            let (v, at) =
+                if crowded(&words, y - 8) { (VPos::Top, y + 9) } else { (VPos::Bottom, y - 8) };
             words.push((x, at));
             area.draw_text(label, &text(SMALL, INK, HPos::Center, v), (x, at))?;
         }

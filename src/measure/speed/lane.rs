@@ -71,7 +71,7 @@ pub(super) fn prepare<L: Lane>([guard, integer, fraction]: [u32; 3]) -> (ReadOut
 /// A plane that stays in range over most of the window and meets the guard clamp in a corner.
 pub(super) fn plane(read: ReadOut, size: (u32, u32)) -> [i128; 3] {
     // Shares of the range, so that slopes are odd numbers of the format's last place.
-    let share = |part: i128, steps: u32| read.top() / 256 * part / i128::from(steps) | 1;
+    let share = |part: i128, steps: u32| (read.top() / 256 * part / i128::from(steps)) | 1;
     [share(63, 1), share(170, size.0), share(61, size.1)]
 }
 
