@@ -8,6 +8,7 @@ mod explore;
 mod failure;
 mod fit;
 mod output;
+mod plot;
 mod profile;
 mod progress;
 mod render;

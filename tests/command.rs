@@ -303,6 +303,40 @@ fn reports_keep_their_keys() {
         .collect();
     assert_eq!(Vec::from_iter(kernels), keys(&report["ratios"]));
     run_in(home.path(), "speed --repeats 0").complains(2, &["--repeats"]);
+    // The sections that came later.
+    let column = |section: &str, key: &str| -> Vec<f64> {
+        report[section].as_array().unwrap().iter().map(|row| row[key].as_f64().unwrap()).collect()
+    };
+    assert_eq!(column("lanes", "width"), [16., 24., 32., 39., 48., 64., 80., 120.]);
+    let pixels: Vec<f64> = (0..8).map(|n| 4f64.powi(n)).collect();
+    // Three machines, event log off and on.
+    assert_eq!(column("forms", "pixels"), pixels.repeat(6));
+    let (worst, bound) = (column("trade", "worst_ulp"), column("trade", "bound_ulp"));
+    assert!(worst.len() > 8 && worst.iter().zip(&bound).all(|(worst, bound)| worst <= bound));
+    for (section, key) in [("lanes", "ratio"), ("forms", "ns_per_triangle"), ("trade", "ratio")] {
+        assert!(column(section, key).iter().all(|figure| *figure > 0.0), "{section} {key}");
+    }
+    assert_eq!(report["findings"].as_array().unwrap().len(), 4);
+}
+
+#[test]
+fn speed_measures_what_is_asked_for() {
+    let home = home();
+    let ran =
+        run_in(home.path(), "speed --repeats 1 --only lanes,trade --json --svg speed.svg").ends(0);
+    assert_eq!(keys(&json(&ran)), ["findings", "lanes", "trade"]);
+    let chart = std::fs::read_to_string(home.path().join("speed.svg")).unwrap();
+    let trade = json(&ran)["trade"].as_array().unwrap().len();
+    // A point a budget, and a mark a lane in the legend.
+    assert_eq!(chart.matches("<circle").count(), trade + 3);
+    assert!(chart.contains("ULP") && chart.contains("i128"));
+    let text = run_in(home.path(), "speed --repeats 1 --only forms").ends(0).out;
+    assert_eq!(text.lines().count(), 1 + 6 * 8 + 1, "{text}");
+    assert!(text.lines().last().unwrap().starts_with("a one-pixel triangle takes"), "{text}");
+    run_in(home.path(), "speed --only lanes --svg other.svg")
+        .complains(2, &["trade", "--only", "hint: "]);
+    run_in(home.path(), "speed --only speed").complains(2, &["ratios, lanes, forms, trade"]);
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 1, "one chart, nothing else");
 }
 
 #[test]

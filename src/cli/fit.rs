@@ -74,7 +74,7 @@ fn default_axes(base: &Profile) -> Vec<Axis> {
     let bits = |from: u32, to| (from..=to).map(Value::Bits).collect();
     let mut axes = Vec::new();
     if let Some(width) = exact_width(base) {
-        let values = bits(width.saturating_sub(11).max(2), width);
+        let values = bits(2, width);
         axes.push(Axis { field: Field::EdgeWidth, values });
     }
     if let Some(depth) = base.depth {

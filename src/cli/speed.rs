@@ -2,29 +2,85 @@
 
 use super::Outcome;
 use super::failure::Failure;
-use super::output::Output;
-use guardbit::measure::speed;
+use super::output::{Output, write_whole};
+use super::plot::{Chart, Series, svg};
+use guardbit::measure::speed::{self, Report, Section, TradeRow};
+use std::io::Write as _;
+use std::path::PathBuf;
 
-/// Time the kernels against plain loops, on one thread, at every processor level of this machine.
+/// Time kernels and machines, on one thread, as ratios within this run.
 ///
-/// Ratios, not times: plain and fast loops take turns, and the median of their ratios is printed.
+/// Ratios, not times: the two sides of a ratio take turns, and the median of their ratios is
+/// printed. Sections: "ratios" holds the kernels against plain loops at every processor level of
+/// this machine; "lanes" the depth walk by machine integer and width; "forms" edge function and edge
+/// walk by triangle size, event log off and on; "trade" speed against accuracy by interpolation
+/// bits.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// Pairs of passes per kernel and level.
+    /// Pairs of passes per figure: more take longer and scatter less.
     #[arg(long, default_value_t = 31, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     repeats: u16,
+    /// Measure these sections only: ratios, lanes, forms, trade.
+    #[arg(long, value_name = "SECTIONS", value_delimiter = ',', value_parser = parse_section)]
+    only: Vec<Section>,
+    /// Draw the section "trade" as a chart into this SVG file.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
     /// Print JSON.
     #[arg(long)]
     json: bool,
 }
 
+fn parse_section(text: &str) -> Result<Section, String> {
+    let named = Section::ALL.into_iter().find(|section| section.name() == text);
+    named.ok_or_else(|| {
+        let names = Section::ALL.map(Section::name);
+        format!("no section of that name; there are {}", names.join(", "))
+    })
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let report = speed::measure(usize::from(arguments.repeats));
+    let only = &arguments.only[..];
+    let sections = if only.is_empty() { &Section::ALL[..] } else { only };
+    if arguments.svg.is_some() && !sections.contains(&Section::Trade) {
+        return Err(Failure::input("--svg draws the section trade, which --only leaves out")
+            .hint("add trade to --only"));
+    }
+    let report = speed::measure(usize::from(arguments.repeats), sections);
+    if let Some(path) = &arguments.svg {
+        let text = svg(&chart(&report.trade));
+        write_whole(path, |mut file| {
+            file.write_all(text.as_bytes())?;
+            file.flush()
+        })?;
+    }
     let mut output = Output::new();
     if arguments.json {
         output.json(&report)?;
-        return Ok(Outcome::Good);
+    } else {
+        print(&report, &mut output)?;
     }
+    Ok(Outcome::Good)
+}
+
+fn print(report: &Report, output: &mut Output) -> Result<(), Failure> {
+    let mut first = true;
+    for finding in &report.findings {
+        if !std::mem::take(&mut first) {
+            output.line("")?;
+        }
+        match finding.section {
+            Section::Ratios => ratios(report, output)?,
+            Section::Lanes => lanes(report, output)?,
+            Section::Forms => forms(report, output)?,
+            Section::Trade => trade(report, output)?,
+        }
+        output.line(&finding.text)?;
+    }
+    output.flush()
+}
+
+fn ratios(report: &Report, output: &mut Output) -> Result<(), Failure> {
     output.line("kernel             level     ns/sample   plain   ratio   bound by")?;
     for row in &report.rows {
         output.line(format!(
@@ -37,6 +93,102 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             row.bound_by
         ))?;
     }
-    output.flush()?;
-    Ok(Outcome::Good)
+    Ok(())
+}
+
+fn lanes(report: &Report, output: &mut Output) -> Result<(), Failure> {
+    output.line("lane   width   ns/sample   plain   ratio")?;
+    for row in &report.lanes {
+        output.line(format!(
+            "{:<5} {:>6} {:>11.3} {:>7.3} {:>7.3}",
+            row.lane, row.width, row.ns_per_sample, row.plain_ns_per_sample, row.ratio
+        ))?;
+    }
+    Ok(())
+}
+
+fn forms(report: &Report, output: &mut Output) -> Result<(), Failure> {
+    output.line("machine                 log   pixels   ns/sample   ns/triangle   ratio")?;
+    for row in &report.forms {
+        output.line(format!(
+            "{:<23} {:<3} {:>8} {:>11.3} {:>13.1} {:>7.3}",
+            row.machine,
+            if row.log { "on" } else { "off" },
+            row.pixels,
+            row.ns_per_sample,
+            row.ns_per_triangle,
+            row.ratio
+        ))?;
+    }
+    Ok(())
+}
+
+fn trade(report: &Report, output: &mut Output) -> Result<(), Failure> {
+    output.line("F    width   lane   ns/sample   ratio   worst ULP     rms ULP   bound ULP")?;
+    for row in &report.trade {
+        output.line(format!(
+            "{:<3} {:>6}   {:<5} {:>10.3} {:>7.3} {:>11.3e} {:>11.3e} {:>11.3e}",
+            row.interpolation,
+            row.width,
+            row.lane,
+            row.ns_per_sample,
+            row.ratio,
+            row.worst_ulp,
+            row.rms_ulp,
+            row.bound_ulp
+        ))?;
+    }
+    Ok(())
+}
+
+/// Time over error, a series a lane, a point a budget.
+fn chart(rows: &[TradeRow]) -> Chart {
+    let mut series: Vec<Series> = Vec::new();
+    for row in rows {
+        if series.last().is_none_or(|last| last.name != row.lane) {
+            series.push(Series { name: row.lane.to_owned(), ..Series::default() });
+        }
+        if let Some(last) = series.last_mut() {
+            last.points.push((row.worst_ulp, row.ratio));
+            last.labels.push(row.interpolation.to_string());
+        }
+    }
+    Chart {
+        title: "Depth walk: time against error, by interpolation bits".to_owned(),
+        x_label: "largest error over a 1024 x 512 window, ULP".to_owned(),
+        y_label: "time a sample, ratio to a plain 39-bit loop".to_owned(),
+        log_x: true,
+        log_y: true,
+        series,
+        line: true,
+        caption: "Numbers at the points are interpolation bits below 2 guard and 24 depth bits; \
+                  each colour is the narrowest machine integer that holds the word. Times are \
+                  medians of interleaved pairs on one thread of this machine; errors are measured \
+                  against the exact plane. Lower and further left is better."
+            .to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_series_a_lane() {
+        let row = |interpolation, lane| TradeRow {
+            interpolation,
+            width: 26 + interpolation,
+            lane,
+            ns_per_sample: 1.0,
+            ratio: 0.5,
+            worst_ulp: 2.0,
+            rms_ulp: 1.0,
+            bound_ulp: 3.0,
+        };
+        let chart = chart(&[row(0, "i32"), row(6, "i32"), row(7, "i64")]);
+        let names: Vec<_> =
+            chart.series.iter().map(|s| (s.name.as_str(), s.points.len())).collect();
+        assert_eq!(names, [("i32", 2), ("i64", 1)]);
+        assert_eq!(chart.series[0].labels, ["0", "6"]);
+    }
 }

@@ -69,7 +69,12 @@ pub fn exact_rule(form: &Form) -> Rule {
 }
 
 /// How far an accumulator of `fraction` fraction bits lies above the plane, in ULP.
-fn above(plane: &PlaneNumerator, at: [i128; 2], accumulator: i128, fraction: u32) -> f64 {
+pub(super) fn above(
+    plane: &PlaneNumerator,
+    at: [i128; 2],
+    accumulator: i128,
+    fraction: u32,
+) -> f64 {
     let above = accumulator * plane.whole - (plane.at(at) << fraction);
     above as f64 / (plane.whole << fraction) as f64
 }

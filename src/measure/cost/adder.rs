@@ -3,7 +3,6 @@
 //! The points: an adder alone, synthesised for the open 45 nm library Nangate45 at its typical
 //! corner, in picoseconds and square micrometres. Another process has other figures, and a placed
 //! and routed adder is slower: these compare budgets, they do not promise a chip.
-#![allow(clippy::suboptimal_flops, reason = "read as the clause writes it")]
 
 /// One measured adder.
 #[derive(Clone, Copy, Debug)]
