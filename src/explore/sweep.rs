@@ -127,7 +127,10 @@ impl Sweep {
     }
 
     /// The scenes on the grid of a budget.
-    pub(super) fn stages(&self, profile: &Profile) -> Result<Vec<Stage>, InvalidProfile> {
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn stages(&self, profile: &Profile) -> Result<Vec<Stage>, InvalidProfile> {
         let (grid, clip) = (profile.grid()?, profile.window()?);
         self.scenes
             .iter()
