@@ -5,7 +5,7 @@
 
 use super::affine::Affine;
 use super::order::{Pair, pairs};
-use super::reference::{Reference, Truth, covered_runs, misplaced};
+use super::reference::{REFERENCE_BITS, Reference, Truth, covered_runs, misplaced, real};
 use super::run::{Hits, Side, compare};
 use super::tally::Tally;
 use super::world::World;
@@ -135,21 +135,28 @@ impl Stage {
         // A face without a sample needs no values.
         if let (Some(first), Some(z)) = (self.runs.get(begin), triangle.z) {
             let base = [first.x0, first.y];
-            let before = |vertex: Option<[f64; 3]>| {
-                let plane = Affine::before(real_face?, vertex?, &self.grid, base);
-                Some(plane?.scaled(self.world.top))
-            };
-            let surface = |vertex, given| {
+            let up = REFERENCE_BITS - self.grid.sub_pixel;
+            let stays =
+                real_face.is_some_and(|real| real.xy == snapped.xy.map(|v| v.map(|n| n << up)));
+            let surface = |vertex, given: Option<[f64; 3]>, is_same: bool| {
                 let exact = PlaneNumerator::new(triangle.xy, vertex)?;
                 let code = Affine::exact(&exact, &self.grid, base);
-                Some(Surface { vertex, exact, code, before: before(given) })
+                let before = || {
+                    let plane = Affine::before(real_face?, given?, &self.grid, base);
+                    Some(plane?.scaled(self.world.top))
+                };
+                // What did not move has no error, not one of 2^-50.
+                let before = if stays && is_same { Some(code) } else { before() };
+                Some(Surface { vertex, exact, code, before })
             };
-            face.depth = surface(z, real_face.and_then(|real| real.part));
+            let part = real_face.and_then(|real| real.part);
+            let kept = part == snapped.z.map(|z| z.map(|code| real(code) / self.world.top));
+            face.depth = surface(z, part, kept);
             #[allow(clippy::cast_possible_truncation, reason = "an integer below 2^64")]
             let codes = ATTRIBUTE.map(|part| (part * self.world.top) as i128);
             // The attribute changes places with its vertex.
             let attribute = Triangle { z: Some(codes), ..snapped }.normalised();
-            face.attribute = attribute.z.and_then(|vertex| surface(vertex, Some(ATTRIBUTE)));
+            face.attribute = attribute.z.and_then(|vertex| surface(vertex, Some(ATTRIBUTE), true));
         }
         self.note_snapped_values(truth.runs(source), &face);
         let samples = self.runs[begin..].iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
