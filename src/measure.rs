@@ -4,4 +4,5 @@ pub mod accuracy;
 pub mod budget;
 pub mod cost;
 pub mod error;
+pub mod require;
 pub mod speed;

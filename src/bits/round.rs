@@ -124,6 +124,18 @@ impl Rounding {
         RoundingNames { guardbit, ac_fixed, ap_fixed, systemc, numeric_std }
     }
 
+    /// Whether the rounding errs by one half at most; the others err by less than one.
+    pub const fn is_nearest(self) -> bool {
+        matches!(
+            self,
+            Self::NearestEven
+                | Self::NearestUp
+                | Self::NearestDown
+                | Self::NearestAway
+                | Self::NearestTowardZero
+        )
+    }
+
     /// Whether the quotient `floor` has to be raised by one.
     const fn raises(self, floor_is_odd: bool, negative: bool, dropped: Dropped) -> bool {
         let beyond_half = matches!(dropped, Dropped::AboveHalf);

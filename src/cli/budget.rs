@@ -1,10 +1,15 @@
 //! `guardbit budget`: the words of a profile.
 
 use super::Outcome;
+use super::explore::figure;
 use super::failure::Failure;
 use super::output::Output;
+use guardbit::measure::accuracy::Reference;
 use guardbit::measure::budget;
+use guardbit::measure::require::{Bits, Evaluator, Range, Requirements, require};
+use guardbit::model::Model;
 use guardbit::profile;
+use guardbit::scene;
 
 /// The words of a profile: fields, range, resolution, and how many steps stay below half an ULP.
 #[derive(Debug, clap::Args)]
@@ -12,17 +17,30 @@ pub(crate) struct Arguments {
     /// A built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
+    /// Also say what a scene requires: a built-in scene, an OBJ mesh, or a JSON Lines file.
+    #[arg(long, value_name = "S")]
+    scene: Option<String>,
+    /// Window of the scene, as WIDTHxHEIGHT; the profile's by default.
+    #[arg(long, value_parser = super::parse_size, requires = "scene")]
+    window: Option<(u32, u32)>,
     /// Print JSON.
     #[arg(long)]
     json: bool,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
-    let profile = profile::load(&arguments.profile)?;
+    let mut profile = profile::load(&arguments.profile)?;
+    if let Some((width, height)) = arguments.window {
+        profile.window = profile::WindowConfig { width, height };
+    }
     let report = budget::report(&profile).map_err(Failure::input)?;
+    let scene = match &arguments.scene {
+        Some(source) => Some(required(source, &profile)?),
+        None => None,
+    };
     let mut output = Output::new();
     if arguments.json {
-        output.json(&report)?;
+        output.json(&Report { words: &report, requires: scene })?;
         return Ok(Outcome::Good);
     }
     output.line(format!("{}: {}", report.profile, report.about))?;
@@ -35,6 +53,47 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             output.line(format!("  {:<22} {}", fact.name, fact.value))?;
         }
     }
+    if let Some(scene) = &scene {
+        print(&mut output, scene)?;
+    }
     output.flush()?;
     Ok(Outcome::Good)
+}
+
+/// The words, and what a scene requires of them.
+#[derive(serde::Serialize)]
+struct Report<'a> {
+    #[serde(flatten)]
+    words: &'a budget::Report,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    requires: Option<Requirements>,
+}
+
+fn required(source: &str, profile: &profile::Profile) -> Result<Requirements, Failure> {
+    let model = Model::new(profile).map_err(Failure::input)?;
+    let scene = scene::load(source, &model.viewport())?;
+    require(&Reference::new(scene, profile), profile).map_err(Failure::input)
+}
+
+fn print(output: &mut Output, scene: &Requirements) -> Result<(), Failure> {
+    output.line("")?;
+    output.line(format!(
+        "{} requires: {} triangles, {} samples",
+        scene.scene, scene.triangles, scene.samples
+    ))?;
+    for Range { name, low, high, unit, evidence } in &scene.ranges {
+        let range = format!("{} to {} {unit}", figure(*low), figure(*high));
+        output.line(format!("  {name:<22} {range}: {evidence}"))?;
+    }
+    output.line("bits:")?;
+    for Bits { field, needs, has, evidence } in &scene.bits {
+        let verdict = if needs <= has { "" } else { ", TOO FEW" };
+        output.line(format!("  {field:<22} {needs} of {has}{verdict}: {evidence}"))?;
+    }
+    output.line("evaluators:")?;
+    for Evaluator { name, needed, evidence } in &scene.evaluators {
+        let verdict = if *needed { "needed" } else { "not needed" };
+        output.line(format!("  {name:<22} {verdict}: {evidence}"))?;
+    }
+    Ok(())
 }

@@ -167,14 +167,9 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
 /// How many steps after a rounded start keep the accumulated error below half a result unit:
 /// the most n with (n + 1) e < 1/2, e the bound of one rounding.
 fn steps(fraction: u32, rounding: crate::bits::Rounding) -> u128 {
-    use crate::bits::Rounding as R;
-    let nearest = matches!(
-        rounding,
-        R::NearestEven | R::NearestUp | R::NearestDown | R::NearestAway | R::NearestTowardZero
-    );
     // A nearest rounding errs by at most 2^-(F+1), reached, so the sum must be strictly less; any
     // other errs by strictly less than 2^-F, so the sum of the bounds may reach one half.
-    if nearest {
+    if rounding.is_nearest() {
         (1u128 << fraction).saturating_sub(2)
     } else {
         (1u128 << fraction >> 1).saturating_sub(1)

@@ -1,7 +1,6 @@
 //! What the specification's bounds prove without measuring. Spec clause `Q-9`.
 
 use super::Tolerance;
-use crate::bits::Rounding;
 use crate::format::Clamp;
 use crate::measure::accuracy::{Drawn, Stage};
 use crate::profile::Profile;
@@ -23,7 +22,7 @@ pub(super) fn meets(
     }
     let runs = stages.iter().flat_map(|stage| &stage.runs);
     let longest = runs.map(|run| u64::from(run.x1 - 1) + u64::from(run.y)).max().unwrap_or(0);
-    let one = if is_nearest(depth.rounding) { 0.5 } else { 1.0 };
+    let one = if depth.rounding.is_nearest() { 0.5 } else { 1.0 };
     #[allow(clippy::cast_precision_loss, reason = "at most 2^17 steps")]
     let error = (longest + 1) as f64 * one / 2f64.powi(depth.interpolation.cast_signed());
     if error >= 1.0 || !drawn.iter().all(Drawn::is_whole) {
@@ -46,13 +45,4 @@ pub(super) fn meets(
         };
         most <= *limit
     })
-}
-
-/// Whether a rounding errs by one half at most.
-pub(super) fn is_nearest(rounding: Rounding) -> bool {
-    use Rounding as R;
-    matches!(
-        rounding,
-        R::NearestEven | R::NearestUp | R::NearestDown | R::NearestAway | R::NearestTowardZero
-    )
 }
