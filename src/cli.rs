@@ -8,6 +8,7 @@ mod failure;
 mod output;
 mod profile;
 mod progress;
+mod prove;
 mod render;
 mod sets;
 mod speed;
@@ -37,6 +38,7 @@ enum Command {
     Diff(diff::Arguments),
     Eval(eval::Arguments),
     Profile(profile::Arguments),
+    Prove(prove::Arguments),
     Render(render::Arguments),
     Speed(speed::Arguments),
     Trace(trace::Arguments),
@@ -70,6 +72,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
+        Command::Prove(arguments) => prove::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
