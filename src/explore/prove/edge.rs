@@ -189,40 +189,45 @@ fn values(ends: [[i128; 2]; 2], sample: [i128; 2]) -> Vec<(&'static str, crate::
     VERTICES.into_iter().zip(all.map(integer)).collect()
 }
 
-/// That a term leaves a word of `bits` bits.
-fn outside(term: &str, below: &str, bits: u32) -> String {
+/// The two ways in which terms leave a word of `bits` bits.
+fn outside(above: &str, below: &str, bits: u32) -> [String; 2] {
     let half = super::trial::scaled(1, bits - 1);
     let [low, high] = [real(&-half.clone()), real(&(half - integer(1)))];
-    format!("(or (> {term} {high}) (< {below} {low}))")
+    [format!("(> {above} {high})"), format!("(< {below} {low})")]
+}
+
+fn either([above, below]: [String; 2]) -> String {
+    format!("(or {above} {below})")
 }
 
 /// E + bias in `bits` bits, the bits that a shift drops counted in.
 fn width_obligation(question: &Question, bits: u32, witness: Option<&Witness>) -> Obligation {
     let (vertices, samples) = (question.vertex_area(), question.sample_area());
-    let (variables, mut definitions) = variables(vertices, samples);
-    let mut facts = Vec::new();
-    // Either bias for every edge is simpler to decide, and where it holds it is as good.
-    let either = at_corners(vertices, samples).flat_map(|(_, e)| [e, e - 1]);
-    let (term, below) = if signed_bits(either) <= bits {
-        ("e", "(- e 1.0)")
-    } else {
-        let owns = match question.rule() {
-            FillRule::TopLeft => "(or (< dy 0.0) (and (= dy 0.0) (> dx 0.0)))",
-            FillRule::Shadow => "(or (> dy 0.0) (and (= dy 0.0) (> dx 0.0)))",
-        };
-        definitions.push(("biased", format!("(ite {owns} e (- e 1.0))")));
-        // Over the reals an edge may be owned by a hair; on the lattice only by a step.
-        facts.extend(
-            ["dx", "dy"]
-                .map(|d| format!("(or (<= {d} (- 1.0)) (= {d} 0.0) (>= {d} 1.0))")),
-        );
-        ("biased", "biased")
+    let (variables, definitions) = variables(vertices, samples);
+    let owns = match question.rule() {
+        FillRule::TopLeft => "(or (< dy 0.0) (and (= dy 0.0) (> dx 0.0)))",
+        FillRule::Shadow => "(or (> dy 0.0) (and (= dy 0.0) (> dx 0.0)))",
     };
+    // Either bias for every edge is simpler to decide, and where it holds it is as good.
+    let both = at_corners(vertices, samples).flat_map(|(_, e)| [e, e - 1]);
+    let (mut facts, violated) = if signed_bits(both) <= bits {
+        (Vec::new(), outside("e", "(- e 1.0)", bits).to_vec())
+    } else {
+        let owned = outside("e", "e", bits).map(|out| format!("(and {owns} {out})"));
+        let other = outside("(- e 1.0)", "(- e 1.0)", bits);
+        let other = other.map(|out| format!("(and (not {owns}) {out})"));
+        (vec![String::new(); 2], [owned, other].concat())
+    };
+    // Over the reals an edge may be owned by a hair; on the lattice only by a step.
+    for (fact, d) in facts.iter_mut().zip(["dx", "dy"]) {
+        *fact = format!("(or (<= {d} (- 1.0)) (= {d} 0.0) (>= {d} 1.0))");
+    }
     let fewer = witness.and_then(|witness| {
+        let biased = format!("(ite {owns} e (- e 1.0))");
         let values = values(witness.edge?, witness.sample?);
-        Some((outside(term, below, bits - 1), values))
+        Some((either(outside(&biased, &biased, bits - 1)), values))
     });
-    Obligation { variables, definitions, facts, violated: outside(term, below, bits), fewer }
+    Obligation { variables, definitions, facts, violated, fewer }
 }
 
 /// The same for Gappa: E is linear in each coordinate of a vertex, so sixteen corner edges do.
@@ -267,7 +272,7 @@ fn coefficient(question: &Question) -> Proof {
     let most = all().map(|(_, value)| value).max().unwrap_or(0);
     let misread = all().find_map(|(ends, value)| Some((ends, value, register(value, bits)?)));
     let (variables, definitions) = variables(vertices, question.sample_area());
-    let both = |bits| format!("(or {} {})", outside("dx", "dx", bits), outside("dy", "dy", bits));
+    let both = |bits| ["dx", "dy"].map(|d| outside(d, d, bits)).concat();
     Proof {
         claim: "edge.coefficient".to_owned(),
         row: None,
@@ -288,7 +293,8 @@ fn coefficient(question: &Question) -> Proof {
                 facts: Vec::new(),
                 violated: both(bits),
                 fewer: misread.as_ref().map(|(ends, ..)| {
-                    (both(bits - 1), values(*ends, question.sample_area().low))
+                    let violated = format!("(or {})", both(bits - 1).join(" "));
+                    (violated, values(*ends, question.sample_area().low))
                 }),
             }),
             gappa: None,
@@ -345,10 +351,10 @@ fn constant(question: &Question) -> Proof {
                 variables,
                 definitions,
                 facts: Vec::new(),
-                violated: outside("e", "e", bits),
+                violated: outside("e", "e", bits).to_vec(),
                 fewer: misread
                     .as_ref()
-                    .map(|(ends, _)| (outside("e", "e", bits - 1), values(*ends, corner))),
+                    .map(|(ends, _)| (either(outside("e", "e", bits - 1)), values(*ends, corner))),
             }),
             gappa: None,
         },

@@ -35,8 +35,9 @@ pub(super) struct Obligation {
     pub(super) definitions: Vec<(&'static str, String)>,
     /// Further facts on the variables, such as that they are lattice distances.
     pub(super) facts: Vec<String>,
-    /// That `bits` are not enough: no values may satisfy it.
-    pub(super) violated: String,
+    /// The ways in which `bits` would not be enough: no values may satisfy any of them. Solvers
+    /// decide each by itself at once, and their disjunction not.
+    pub(super) violated: Vec<String>,
     /// That one bit fewer is not enough, and the witness's values, which must satisfy it.
     pub(super) fewer: Option<(String, Vec<(&'static str, Rational)>)>,
 }

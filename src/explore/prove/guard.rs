@@ -185,7 +185,7 @@ fn obligation(
         ],
         definitions: vec![("accumulator", sum)],
         facts: Vec::new(),
-        violated: outside(bits),
+        violated: vec![outside(bits)],
         fewer,
     }
 }

@@ -234,7 +234,7 @@ fn obligation(
         variables,
         definitions: vec![("error", error)],
         facts: Vec::new(),
-        violated: beyond(bits),
+        violated: vec![beyond(bits)],
         fewer: bits.checked_sub(1).and_then(|fewer| Some((beyond(fewer), residues?))),
     }
 }

@@ -80,7 +80,7 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
                     "(- (* (- z1 z0) (- y2 y0)) (* (- z2 z0) (- y1 y0)))".to_owned(),
                 )],
                 facts: Vec::new(),
-                violated: quotient(bits),
+                violated: vec![quotient(bits)],
                 fewer: witness.as_ref().map(|_| {
                     let values = [
                         ("z0", 0),

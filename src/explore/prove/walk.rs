@@ -231,7 +231,7 @@ fn obligation(
         ],
         definitions: vec![("error", "(+ e0 (* n es))".to_owned())],
         facts: Vec::new(),
-        violated: beyond(bits),
+        violated: vec![beyond(bits)],
         fewer: bits.checked_sub(1).and_then(|fewer| Some((beyond(fewer), residues?))),
     }
 }

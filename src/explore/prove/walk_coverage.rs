@@ -178,7 +178,7 @@ fn obligation(length: Length, bits: u32, s: u32) -> Obligation {
         ],
         definitions: vec![("short", "(+ e0 (* n es))".to_owned())],
         facts: Vec::new(),
-        violated: format!("(>= short {})", real(&least)),
+        violated: vec![format!("(>= short {})", real(&least))],
         fewer: None,
     }
 }
