@@ -95,9 +95,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         output.flush()?;
     }
     let met = proofs.iter().all(|proof| proof.sufficient);
-    let agreed = checks.iter().flatten().all(|check| {
-        matches!(check.answer, Answer::Agrees | Answer::Missing)
-    });
+    let agreed = checks
+        .iter()
+        .flatten()
+        .all(|check| matches!(check.answer, Answer::Agrees | Answer::Missing));
     Ok(if met && agreed { Outcome::Good } else { Outcome::Mismatch })
 }
 
@@ -131,10 +132,13 @@ fn write_files(arguments: &Arguments, proofs: &[Proof]) -> Result<(), Failure> {
         return Err(Failure::input("--smt and --gappa name the same file"));
     }
     let gappa = match &arguments.gappa {
-        Some(path) => Some((path, prove::gappa(proofs).ok_or_else(|| {
-            Failure::input("--gappa: none of these claims is one that Gappa takes")
-                .hint("edge.full, edge.stored and depth.interpolation are")
-        })?)),
+        Some(path) => Some((
+            path,
+            prove::gappa(proofs).ok_or_else(|| {
+                Failure::input("--gappa: none of these claims is one that Gappa takes")
+                    .hint("edge.full, edge.stored and depth.interpolation are")
+            })?,
+        )),
         None => None,
     };
     let write = |path: &Path, text: String| {

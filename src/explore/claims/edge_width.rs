@@ -149,9 +149,8 @@ fn sgi_field(closed: bool) -> VertexConfig {
 
 fn constant_agrees(case: Case) -> bool {
     let (w, g, scale) = (case.high, case.guard, 1 << (2 * case.s));
-    let largest = |at: i128| {
-        at_corners(case.vertices(), Area::square(at, at)).map(|(_, e)| e.abs()).max()
-    };
+    let largest =
+        |at: i128| at_corners(case.vertices(), Area::square(at, at)).map(|(_, e)| e.abs()).max();
     let middle = (w << case.s) / 2;
     largest(0) == Some((w + g) * (w + 2 * g) * scale)
         && largest(middle) == Some((w + 2 * g) * (w + 2 * g) * scale / 2)

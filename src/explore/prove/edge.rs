@@ -39,7 +39,8 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
     let (vertices, samples) = (question.vertex_area(), question.sample_area());
     let (s, rule) = (question.sub_pixel(), question.rule());
     let shift = if storage == EdgeStorage::Shifted { s } else { 0 };
-    let pick = |(full, stored)| if shift == 0 && storage == EdgeStorage::Full { full } else { stored };
+    let pick =
+        |(full, stored)| if shift == 0 && storage == EdgeStorage::Full { full } else { stored };
     let needed = |vertices| pick(widths(vertices, samples, s, rule));
     let bits = needed(vertices);
     let given = match question.profile.form {
@@ -56,7 +57,8 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
         Some(given) if given == bits => format!("; the profile's {given} are exactly enough"),
         _ => String::new(),
     };
-    let fewer = if witness.is_some() { format!(", {} misread one", bits - 1) } else { String::new() };
+    let fewer =
+        if witness.is_some() { format!(", {} misread one", bits - 1) } else { String::new() };
     let budget = budget(question, bits, storage);
     let beyond = pixels(first_wider(question, bits, needed), s);
     Proof {
@@ -94,7 +96,11 @@ fn budget(question: &Question, bits: u32, storage: EdgeStorage) -> String {
     let k = w.trailing_zeros();
     let corner = question.origin.map(|at| at << s);
     let closed = question.vertices == [corner, [corner[0] + (w << s), corner[1] + (h << s)]];
-    if storage == EdgeStorage::Full || w != h || w.count_ones() != 1 || !closed || bits != 2 * k + s + 1
+    if storage == EdgeStorage::Full
+        || w != h
+        || w.count_ones() != 1
+        || !closed
+        || bits != 2 * k + s + 1
     {
         return String::new();
     }
@@ -267,7 +273,8 @@ fn width_script(question: &Question, bits: u32) -> Script {
 
 fn coefficient(question: &Question) -> Proof {
     let vertices = question.vertex_area();
-    let all = || edges_at_corners(vertices).flat_map(|(ends, edge)| [edge.a, edge.b].map(|v| (ends, v)));
+    let all =
+        || edges_at_corners(vertices).flat_map(|(ends, edge)| [edge.a, edge.b].map(|v| (ends, v)));
     let bits = signed_bits(all().map(|(_, value)| value));
     let most = all().map(|(_, value)| value).max().unwrap_or(0);
     let misread = all().find_map(|(ends, value)| Some((ends, value, register(value, bits)?)));
@@ -344,7 +351,10 @@ fn constant(question: &Question) -> Proof {
         bits: Some(bits),
         given: None,
         sufficient: true,
-        bound: format!("-2^{0} <= {low} and {high} <= 2^{0} - 1 over the 16 corner edges", bits - 1),
+        bound: format!(
+            "-2^{0} <= {low} and {high} <= 2^{0} - 1 over the 16 corner edges",
+            bits - 1
+        ),
         clause: "B-4",
         formal: Formal {
             smt: Some(Obligation {
@@ -358,8 +368,10 @@ fn constant(question: &Question) -> Proof {
             }),
             gappa: None,
         },
-        witness: misread.map(|(ends, witness)| {
-            Witness { edge: Some(ends), sample: Some(corner), ..witness }
+        witness: misread.map(|(ends, witness)| Witness {
+            edge: Some(ends),
+            sample: Some(corner),
+            ..witness
         }),
     }
 }

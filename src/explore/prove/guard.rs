@@ -59,7 +59,8 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
     let depth = question.profile.depth?;
     let reach = Reach::new(question, &depth)?;
     let bits = fewest(question, &depth);
-    let witness = bits.and_then(|bits| bits.checked_sub(1)).and_then(|n| wraps(question, &depth, n));
+    let witness =
+        bits.and_then(|bits| bits.checked_sub(1)).and_then(|n| wraps(question, &depth, n));
     let range = |bits: u32| read_out(&depth, bits).map(ReadOut::range).unwrap_or_default();
     let sum = format!("{} to {} units of 2^-{}", reach.low, reach.high, depth.interpolation);
     Some(Proof {
@@ -138,10 +139,9 @@ fn wraps(question: &Question, depth: &DepthConfig, guard: u32) -> Option<(Witnes
         // Depth 0 lies at the vertex itself, so the exact read is 0.
         let right = !wide.wrapped && wide.depth == Some(0) && narrow.depth != Some(0);
         let accumulator = narrow.accumulator(at)?;
-        let got = narrow.depth.map_or_else(
-            || "refused".to_owned(),
-            |depth| format!("depth {depth} read"),
-        );
+        let got = narrow
+            .depth
+            .map_or_else(|| "refused".to_owned(), |depth| format!("depth {depth} read"));
         let witness = Witness {
             bits: guard,
             by: "model",

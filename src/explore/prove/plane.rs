@@ -130,7 +130,12 @@ fn proof(question: &Question, depth: &DepthConfig, goal: Goal) -> Proof {
         bound: match bits {
             Some(0) => growth.text(0, goal),
             Some(bits) => {
-                format!("{}; with {}: {}", growth.text(bits, goal), bits - 1, growth.text(bits - 1, goal))
+                format!(
+                    "{}; with {}: {}",
+                    growth.text(bits, goal),
+                    bits - 1,
+                    growth.text(bits - 1, goal)
+                )
             }
             None if sticky => "a sticky accumulator's error depends on its path".to_owned(),
             None => format!("{} >= {} whatever F is", growth.division, goal.ulp()),
@@ -162,7 +167,10 @@ fn statement(
         depth.rounding
     );
     let Some(bits) = bits else {
-        return format!("No number of interpolation bits keeps the error of the depth below {}: {walk}.", goal.name());
+        return format!(
+            "No number of interpolation bits keeps the error of the depth below {}: {walk}.",
+            goal.name()
+        );
     };
     let mut text = format!(
         "{} keep the error of the depth below {} at every sample of the window: {walk}",
@@ -206,12 +214,8 @@ fn obligation(
     residues: Option<Vec<(&'static str, Rational)>>,
 ) -> Obligation {
     let unit = dyadic(1, u32::from(growth.nearest));
-    let rounding = |name| Variable {
-        name,
-        low: -unit.clone(),
-        high: unit.clone(),
-        open: !growth.nearest,
-    };
+    let rounding =
+        |name| Variable { name, low: -unit.clone(), high: unit.clone(), open: !growth.nearest };
     let [w, h] = question.size();
     let mut variables = vec![
         rounding("e0"),
@@ -258,7 +262,8 @@ fn script(question: &Question, rounding: Rounding, growth: &Growth, bits: u32) -
         comments: vec![
             "S, DX and DY are the exact start and slopes, in ULP and ULP per pixel; x and y count"
                 .to_owned(),
-            "pixels from the window's corner. The goal is the bound of the accumulated error.".to_owned(),
+            "pixels from the window's corner. The goal is the bound of the accumulated error."
+                .to_owned(),
         ],
         definitions: vec![
             format!("@rnd$ = fixed<-{bits}, {mode}>;"),

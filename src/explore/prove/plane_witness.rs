@@ -47,10 +47,7 @@ pub(super) fn find(question: &Question, fraction: u32, goal: Goal) -> Option<Fou
     });
     let corner = std::array::from_fn(|axis| high[axis].min((pixel[axis] + 1) << s));
     let search = Search { question, depth, fraction, goal, pixel, corner };
-    search
-        .leaning()
-        .or_else(|| search.drawn_legs())
-        .or_else(|| search.drawn_triangles())
+    search.leaning().or_else(|| search.drawn_legs()).or_else(|| search.drawn_triangles())
 }
 
 /// Depth changes along a leg of odd length `leg` whose slope has a residue near the worst.
@@ -72,7 +69,12 @@ impl Search<'_> {
     }
 
     /// A right triangle at the far corner; `rise` is the change of depth toward it along each leg.
-    fn right(&self, legs: [i128; 2], rise: [i128; 2], lowest: bool) -> Option<(Triangle, [i128; 2])> {
+    fn right(
+        &self,
+        legs: [i128; 2],
+        rise: [i128; 2],
+        lowest: bool,
+    ) -> Option<(Triangle, [i128; 2])> {
         let most = self.most();
         let (low, high) =
             (0.max(rise[0]).max(rise[1]), most.min(most + rise[0]).min(most + rise[1]));
@@ -90,9 +92,10 @@ impl Search<'_> {
         // The longest odd lengths along which the depth range allows any residue.
         let legs = self.spans().map(|span| {
             let longest = (span.min(self.most()) - 1) | 1;
-            (0..4).map(move |n| longest - 2 * n).filter(|leg| *leg > 0).map(move |leg| {
-                (leg, leaning(leg, s + self.fraction, nearest))
-            })
+            (0..4)
+                .map(move |n| longest - 2 * n)
+                .filter(|leg| *leg > 0)
+                .map(move |leg| (leg, leaning(leg, s + self.fraction, nearest)))
         });
         let [along_x, along_y] = legs;
         let along_y: Vec<_> = along_y.collect();
@@ -139,7 +142,9 @@ impl Search<'_> {
     /// Measures a candidate in plain integers first, then by the model against the exact plane.
     fn judge(&self, (triangle, pixel): (Triangle, [i128; 2])) -> Option<Found> {
         let triangle = triangle.normalised();
-        if triangle.area2() <= 0 || !self.inside(&triangle, pixel) || !self.looks_bad(&triangle, pixel)
+        if triangle.area2() <= 0
+            || !self.inside(&triangle, pixel)
+            || !self.looks_bad(&triangle, pixel)
         {
             return None;
         }
@@ -215,7 +220,8 @@ impl Search<'_> {
         let [.., start, dx, dy] = *setup else { return None };
         let z = triangle.z?;
         let bias = start_bias(&self.depth, self.fraction);
-        let exact_start = exact::plane_at(triangle.xy, z, self.question.sample(self.question.origin))?;
+        let exact_start =
+            exact::plane_at(triangle.xy, z, self.question.sample(self.question.origin))?;
         let slopes = exact::plane_slopes(triangle.xy, z)?;
         let (unit, s) = (scaled(1, self.fraction), self.question.sub_pixel());
         let [x, y] = [0, 1].map(|axis| integer(pixel[axis] - self.question.origin[axis]));

@@ -20,7 +20,11 @@ pub fn script<'a>(proofs: impl IntoIterator<Item = &'a Proof>) -> String {
         match &proof.formal.smt {
             Some(obligation) => text += &part(proof, obligation),
             None => {
-                let _ = writeln!(text, "\n; {}: nothing to decide, no number of bits is enough", proof.claim);
+                let _ = writeln!(
+                    text,
+                    "\n; {}: nothing to decide, no number of bits is enough",
+                    proof.claim
+                );
             }
         }
     }

@@ -47,7 +47,10 @@ mod tests {
 
     #[test]
     fn numbers_read_as_they_should() {
-        assert_eq!((pixels(-1, 1), pixels(5, 1), pixels(4, 1)), ("-1/2".into(), "2+1/2".into(), "2".into()));
+        assert_eq!(
+            (pixels(-1, 1), pixels(5, 1), pixels(4, 1)),
+            ("-1/2".into(), "2+1/2".into(), "2".into())
+        );
         assert_eq!(mixed(&ratio(-7, 3).unwrap()), "-(2+1/3)");
         assert_eq!(decimal(&ratio(-1, 3).unwrap()), "-0.333333");
         assert_eq!(decimal(&ratio(25, 2).unwrap()), "12.500000");

@@ -94,10 +94,7 @@ fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option
             s + 1
         ),
         clause: "B-9",
-        formal: Formal {
-            smt: Some(obligation(length, (bits, s, nearest), residues)),
-            gappa: None,
-        },
+        formal: Formal { smt: Some(obligation(length, (bits, s, nearest), residues)), gappa: None },
         witness,
     })
 }
@@ -117,7 +114,11 @@ pub(super) struct Walked {
 }
 
 /// Set-up of the edge between the triangle's first two vertices.
-pub(super) fn walked(question: &Question, profile: &Profile, triangle: &Triangle) -> Option<Walked> {
+pub(super) fn walked(
+    question: &Question,
+    profile: &Profile,
+    triangle: &Triangle,
+) -> Option<Walked> {
     let shot = shoot(question, profile, triangle, question.origin)?;
     let ends = [triangle.xy[0], triangle.xy[1]];
     let v = triangle.normalised().xy;
@@ -183,11 +184,7 @@ fn edges(question: &Question, fraction: u32, nearest: bool) -> impl Iterator<Ite
     let leaning = tall.flat_map(move |height| {
         let half = i128::midpoint(height, 1);
         let undo = (0..fraction).fold(1 % height, |power, _| power * half % height);
-        let worst = if nearest {
-            [(height - 1) / 2, half]
-        } else {
-            [height - 1, 1]
-        };
+        let worst = if nearest { [(height - 1) / 2, half] } else { [height - 1, 1] };
         let runs = worst.map(|r| r * undo % height);
         [runs[0], runs[1], runs[0] - height, runs[1] - height].map(move |run| {
             let x = if run < 0 { high[0] } else { low[0] };

@@ -136,7 +136,11 @@ fn late(question: &Question, walk: EdgeWalkConfig, fraction: u32) -> Option<Witn
         [run, run - height].into_iter().find_map(|run| {
             // `down run / height` is a whole number and 1 / height: put the whole on a sample.
             let whole = (down * run - 1) / height;
-            let near = if run < 0 { high[0].min(question.sample([question.size()[0] - 1, 0])[0] - whole) } else { low[0] };
+            let near = if run < 0 {
+                high[0].min(question.sample([question.size()[0] - 1, 0])[0] - whole)
+            } else {
+                low[0]
+            };
             let pixel_x = if run < 0 {
                 (near + whole - question.sample([0, 0])[0]) >> s
             } else {
