@@ -370,7 +370,7 @@ fn walked_edges_stray_and_miss_ties() {
             Rounding::NearestEven.divide((from[0] * dy + 512 * dx) << f, dy << 10).unwrap().0;
         let slope = Rounding::NearestEven.divide(dx << f, dy).unwrap().0;
         let exact = |n: i128| (from[0] * dy + (512 + 1024 * n) * dx) << f;
-        (0..4096).map(|n| (((start + slope * n) * dy << 10) - exact(n)).abs()).max().unwrap()
+        (0..4096).map(|n| ((((start + slope * n) * dy) << 10) - exact(n)).abs()).max().unwrap()
     };
     assert!(2 * stray(21) >= dy << 21 && 2 * stray(22) < dy << 22);
     let coverage = find(&proofs, "walk.coverage");

@@ -6,7 +6,8 @@ use super::output::{Output, write_whole};
 use guardbit::explore::prove::{self, Answer, Check, Overrides, Proof, Question, Solver, Witness};
 use guardbit::profile;
 use serde::Serialize;
-use std::io::Write;
+use std::fmt::Write as _;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -214,16 +215,16 @@ fn describe(witness: &Witness) -> String {
     };
     let mut text = format!("witness, {}:", count(witness.bits));
     if !witness.triangle.is_empty() {
-        text += &format!(" triangle {} in sub-pixels", points(&witness.triangle));
+        let _ = write!(text, " triangle {} in sub-pixels", points(&witness.triangle));
     }
     if let Some(z) = witness.depths {
-        text += &format!(", depths {} {} {}", z[0], z[1], z[2]);
+        let _ = write!(text, ", depths {} {} {}", z[0], z[1], z[2]);
     }
     if let Some(edge) = witness.edge.filter(|_| witness.triangle.is_empty()) {
-        text += &format!(" edge {} in sub-pixels", points(&edge));
+        let _ = write!(text, " edge {} in sub-pixels", points(&edge));
     }
     if let Some(pixel) = witness.pixel {
-        text += &format!(", pixel {}", points(&[pixel]));
+        let _ = write!(text, ", pixel {}", points(&[pixel]));
     }
     let by = if witness.by == "model" { "the model draws" } else { "a word of them reads" };
     text + &format!(". Exactly: {}; {by}: {}", witness.expected, witness.got)
@@ -269,7 +270,7 @@ fn wrap(text: &str) -> String {
     let (mut out, mut line) = (String::new(), String::new());
     for word in text.split_whitespace() {
         if !line.is_empty() && line.len() + 1 + word.len() > 98 {
-            out += &format!("  {line}\n");
+            let _ = writeln!(out, "  {line}");
             line.clear();
         }
         if !line.is_empty() {

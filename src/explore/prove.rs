@@ -17,6 +17,8 @@
 
 mod domain;
 mod edge;
+mod edge_coefficient;
+mod edge_formal;
 mod formal;
 mod gappa;
 mod guard;
@@ -44,7 +46,7 @@ use serde::Serialize;
 pub struct Proof {
     /// Stable name, `topic.fact`.
     pub claim: String,
-    /// The row of [`table`] it belongs to.
+    /// The row of [`table()`] it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub row: Option<String>,
     /// Window, grid and vertex box that it is made for.

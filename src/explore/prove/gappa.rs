@@ -1,6 +1,7 @@
 //! Claims as a Gappa script. Spec clause `B-11`.
 
 use super::Proof;
+use std::fmt::Write as _;
 
 /// One script for those of the claims that interval arithmetic with roundings can show; `None`
 /// where there are none. Gappa proves and does not refute, so witnesses are no part of it.
@@ -10,9 +11,9 @@ pub fn script<'a>(proofs: impl IntoIterator<Item = &'a Proof>) -> Option<String>
     let parts = proofs.into_iter().filter_map(|proof| Some((proof, proof.formal.gappa.as_ref()?)));
     for (n, (proof, part)) in parts.enumerate() {
         let unique = |line: &String| line.replace('$', &format!("_{n}"));
-        head += &format!("\n# {}: {}\n# {}\n", proof.claim, proof.place, proof.bound);
+        let _ = writeln!(head, "\n# {}: {}\n# {}", proof.claim, proof.place, proof.bound);
         for line in &part.comments {
-            head += &format!("# {line}\n");
+            let _ = writeln!(head, "# {line}");
         }
         for line in part.definitions.iter().map(unique) {
             head += &(line + "\n");

@@ -12,6 +12,7 @@ use crate::format::Clamp;
 use crate::setup::Division;
 use crate::value::DepthConfig;
 use num_traits::Zero;
+use std::fmt::Write as _;
 
 /// Whether a rounding errs by at most half a unit; all others err by less than one.
 pub(super) fn is_nearest(rounding: Rounding) -> bool {
@@ -91,7 +92,7 @@ impl Growth {
         let power = fraction + u32::from(self.nearest);
         let mut text = format!("{} x 2^-{power}", self.roundings);
         if !self.division.is_zero() {
-            text += &format!(" + {}", self.division);
+            let _ = write!(text, " + {}", self.division);
         }
         format!("{text} = {} {relation} {}", self.at(fraction), goal.ulp())
     }
@@ -178,7 +179,7 @@ fn statement(
         goal.name()
     );
     if tight {
-        text += &format!("; {} do not", bits - 1);
+        let _ = write!(text, "; {} do not", bits - 1);
     }
     if !growth.division.is_zero() {
         text += "; start and slopes share one reciprocal, whose own error is counted in";
@@ -192,7 +193,8 @@ fn statement(
                  own place"
             )
         });
-        text += &format!(
+        let _ = write!(
+            text,
             ". The profile's {guard} guard + {integer} integer + {bits} interpolation = {} bits \
              are exactly this budget{needed}",
             guard + integer + bits
@@ -224,11 +226,11 @@ fn obligation(
         Variable::closed("x", integer(0), integer(w - 1)),
         Variable::closed("y", integer(0), integer(h - 1)),
     ];
-    let mut error = "(+ e0 (* x ex) (* y ey))".to_owned();
+    let mut sum = "e0 (* x ex) (* y ey)".to_owned();
     if !growth.division.is_zero() {
         let most = &growth.division * scaled(1, bits);
         variables.push(Variable::closed("reciprocal", -most.clone(), most));
-        error = "(+ e0 (* x ex) (* y ey) reciprocal)".to_owned();
+        sum.push_str(" reciprocal");
     }
     let beyond = |bits: u32| {
         let limit = real(&(goal.ulp() * scaled(1, bits)));
@@ -236,7 +238,7 @@ fn obligation(
     };
     Obligation {
         variables,
-        definitions: vec![("error", error)],
+        definitions: vec![("error", format!("(+ {sum})"))],
         facts: Vec::new(),
         violated: vec![beyond(bits)],
         fewer: bits.checked_sub(1).and_then(|fewer| Some((beyond(fewer), residues?))),

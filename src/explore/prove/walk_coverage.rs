@@ -116,7 +116,7 @@ fn tie(question: &Question, walk: EdgeWalkConfig) -> Option<Witness> {
         }
         let mut witness = differs(question, walk, (walk.fraction, None), triangle, pixel)?;
         let at = point(question.sample(pixel), s);
-        witness.expected += &format!(": the edge meets the sample {at}");
+        witness.expected = format!("{}: the edge meets the sample {at}", witness.expected);
         Some(witness)
     })
 }
