@@ -181,7 +181,7 @@ fn check(proofs: &[Proof], limit: u64) -> Result<Vec<Check>, Failure> {
 
 fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
     for proof in proofs {
-        let bits = proof.bits.map_or("no number of bits".to_owned(), |bits| count(bits));
+        let bits = proof.bits.map_or("no number of bits".to_owned(), count);
         let given = proof.given.map_or(String::new(), |given| format!(", the profile has {given}"));
         output.line("")?;
         output.line(format!(
@@ -217,8 +217,8 @@ fn describe(witness: &Witness) -> String {
     if !witness.triangle.is_empty() {
         let _ = write!(text, " triangle {} in sub-pixels", points(&witness.triangle));
     }
-    if let Some(z) = witness.depths {
-        let _ = write!(text, ", depths {} {} {}", z[0], z[1], z[2]);
+    if let Some([a, b, c]) = witness.depths {
+        let _ = write!(text, ", depths {a} {b} {c}");
     }
     if let Some(edge) = witness.edge.filter(|_| witness.triangle.is_empty()) {
         let _ = write!(text, " edge {} in sub-pixels", points(&edge));
