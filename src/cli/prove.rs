@@ -192,12 +192,12 @@ fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
         ))?;
         output.text(wrap(&proof.statement))?;
         output.text(wrap(&format!("bound: {}", proof.bound)))?;
-        let s = |witness: &Witness| wrap(&describe(witness));
         let none = "witness: none known, so the bound is not known to be tight";
         output.text(match (&proof.witness, proof.bits) {
-            (Some(witness), _) => s(witness),
+            (Some(witness), _) => wrap(&describe(witness)),
             (None, Some(0)) => wrap("witness: there are no fewer bits"),
-            (None, _) => wrap(none),
+            (None, Some(_)) => wrap(none),
+            (None, None) => wrap("witness: none known"),
         })?;
     }
     Ok(())

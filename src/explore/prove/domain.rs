@@ -64,7 +64,10 @@ pub enum QuestionError {
     #[error("depth-bits = {0}: the profile has no [depth]")]
     NoDepth(u32),
     /// A window of a table row that is not from `low` to a greater `high`.
-    #[error("low = {low}, high = {high}: a window needs 1 <= high - low <= 65536 pixels")]
+    #[error(
+        "low = {low}, high = {high}: a window needs 1 <= high - low <= 65536 pixels and \
+         -2^31 <= low, high < 2^31"
+    )]
     Window {
         /// First column and row.
         low: i64,
@@ -126,7 +129,8 @@ impl Question {
         width: u32,
     ) -> Result<Self, QuestionError> {
         let side = u32::try_from(i128::from(high) - i128::from(low)).unwrap_or(0);
-        if Rect::window(side, side).is_err() {
+        let near = i32::try_from(low).is_ok() && i32::try_from(high).is_ok();
+        if Rect::window(side, side).is_err() || !near {
             return Err(QuestionError::Window { low, high });
         }
         let (integer, signed) = field([0, i128::from(side)]);

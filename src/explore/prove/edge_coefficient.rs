@@ -17,7 +17,7 @@ pub(super) fn coefficient(question: &Question) -> Proof {
     let most = all().map(|(_, value)| value).max().unwrap_or(0);
     let misread = all().find_map(|(ends, value)| Some((ends, value, register(value, bits)?)));
     let (variables, definitions) = variables(vertices, question.sample_area());
-    let both = |bits| ["dx", "dy"].map(|d| outside(d, d, bits)).concat();
+    let both = |bits| ["(- ay by)", "dx"].map(|d| outside(d, d, bits)).concat();
     Proof {
         claim: "edge.coefficient".to_owned(),
         row: None,

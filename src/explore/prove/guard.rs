@@ -18,6 +18,7 @@ use num_traits::ToPrimitive;
 struct Reach {
     /// The accumulated error, in units.
     error: Rational,
+    nearest: bool,
     low: i128,
     high: i128,
 }
@@ -31,7 +32,13 @@ impl Reach {
         let most = whole.to_integer().to_i128()?;
         let top = ((1_i128 << depth.integer) - 1) << depth.interpolation;
         let bias = start_bias(depth, depth.interpolation);
-        Some(Self { error, low: bias - most, high: top.checked_add(bias)?.checked_add(most)? })
+        let nearest = growth.nearest;
+        Some(Self {
+            error,
+            nearest,
+            low: bias - most,
+            high: top.checked_add(bias)?.checked_add(most)?,
+        })
     }
 }
 
@@ -171,8 +178,10 @@ fn obligation(
     let bias = start_bias(depth, depth.interpolation);
     let (unit, bias) = (scaled(1, depth.interpolation), integer(bias));
     let outside = |bits| {
-        let [low, limit] = <[i128; 2]>::from(range(bits)).map(|end| real(&integer(end)));
-        format!("(or (< accumulator {low}) (>= accumulator {limit}))")
+        // An accumulator is an integer, so what is below the range is lower by one at least.
+        let (low, limit) = range(bits);
+        let [below, limit] = [low - 1, limit].map(|end| real(&integer(end)));
+        format!("(or (<= accumulator {below}) (>= accumulator {limit}))")
     };
     let fewer = witness.map(|(_, accumulator)| {
         (outside(bits - 1), vec![("z", integer(0)), ("error", integer(*accumulator))])
@@ -181,7 +190,12 @@ fn obligation(
     Obligation {
         variables: vec![
             Variable::closed("z", integer(0), most),
-            Variable::closed("error", -reach.error.clone(), reach.error.clone()),
+            Variable {
+                name: "error",
+                low: -reach.error.clone(),
+                high: reach.error.clone(),
+                open: !reach.nearest,
+            },
         ],
         definitions: vec![("accumulator", sum)],
         facts: Vec::new(),
