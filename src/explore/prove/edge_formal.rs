@@ -80,12 +80,13 @@ pub(super) fn width_obligation(
     Obligation { variables, definitions, facts, violated, fewer }
 }
 
-/// The same for Gappa: E is linear in each coordinate of a vertex, so sixteen corner edges do.
+/// The same for Gappa: E is linear in each coordinate of a vertex, so the corner edges do,
+/// but for the four without a length.
 pub(super) fn width_script(question: &Question, bits: u32) -> Script {
     let samples = question.sample_area();
     let mut script = Script {
         comments: vec![
-            "E is linear in each vertex coordinate, so the sixteen edges between corners of the"
+            "E is linear in each vertex coordinate, so the twelve edges between corners of the"
                 .to_owned(),
             "vertex box bound all others. With their numbers in place each sample coordinate"
                 .to_owned(),
