@@ -11,6 +11,7 @@ mod output;
 mod plot;
 mod profile;
 mod progress;
+mod prove;
 mod render;
 mod sets;
 mod speed;
@@ -42,6 +43,7 @@ enum Command {
     Explore(explore::Arguments),
     Fit(fit::Arguments),
     Profile(profile::Arguments),
+    Prove(prove::Arguments),
     Render(render::Arguments),
     Speed(speed::Arguments),
     Trace(trace::Arguments),
@@ -77,6 +79,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Explore(arguments) => explore::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
+        Command::Prove(arguments) => prove::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),
         Command::Speed(arguments) => speed::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),

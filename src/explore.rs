@@ -3,10 +3,12 @@
 
 pub mod claims;
 pub mod clock;
+mod corner;
 pub mod field;
 pub mod fit;
 pub mod metric;
 pub mod pareto;
+pub mod prove;
 pub mod record;
 pub mod space;
 pub mod store;

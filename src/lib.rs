@@ -34,7 +34,7 @@
 //! 12. [`case`]: stimulus by kind, keyed by seed, class and index
 //! 13. [`measure`]: error, cost, speed, budgets
 //! 14. [`vector`]: golden sets, verify, diagnosis
-//! 15. [`explore`]: the known facts, recomputed
+//! 15. [`explore`]: the known facts recomputed, and how few bits are provably enough
 //!
 //! The specification in `spec/` is normative; documentation cites its clauses as `G-2`.
 
@@ -67,6 +67,6 @@ mod spec {
         Words "01-words.md", Events "02-events.md", Formats "03-formats.md",
         Setup "04-setup.md", Coverage "05-coverage.md", Values "06-values.md",
         EdgeWalk "07-edge-walk.md", Stimulus "08-stimulus.md",
-        Cost "11-cost.md"
+        Bounds "10-bounds.md", Cost "11-cost.md"
     );
 }

@@ -169,11 +169,8 @@ fn wraps_and_clamps_are_the_events_of_the_model() {
         let mut words = Words::new(1, 41, index);
         let mut profile = profile(&mut words);
         // Exact coverage: the model then looks at the very samples that are measured.
-        let wide = EdgeWordConfig {
-            rule: FillRule::TopLeft,
-            storage: EdgeStorage::Full,
-            width: 40,
-        };
+        let wide =
+            EdgeWordConfig { rule: FillRule::TopLeft, storage: EdgeStorage::Full, width: 40 };
         profile.form = Form::EdgeFunction(wide);
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);

@@ -121,8 +121,7 @@ fn meshes_have_the_same_answer_and_hardly_any_whole_measurement() {
         ["edge-width=14..23", "interpolation=3..12", "guard=0..2", "rounding=floor,nearest-even"];
     for scene in ["knot", "slivers", "fan"] {
         let sweep = builtin(&base, &axes, scene);
-        let request =
-            request(&sweep, &["misclassified=0", "wraps=0", "depth-worst=0.5"], "area");
+        let request = request(&sweep, &["misclassified=0", "wraps=0", "depth-worst=0.5"], "area");
         assert_eq!(answer(&request), exhaustive(&request, 2).unwrap(), "{scene}");
         let fit = fit(&request, &|| true).unwrap().unwrap();
         assert!(fit.effort.evaluated <= 6, "{scene}: {:?}", fit.effort);
@@ -140,10 +139,8 @@ fn all_tolerances_at_once_and_one_by_one_the_least_is_what_can_be_met() {
         // Exactly that much can be met, and nothing less.
         let at = [Tolerance { metric: least.metric, limit: least.value }];
         let under = [Tolerance { limit: least.value.next_down(), ..at[0] }];
-        let request = |tolerances: &[Tolerance]| Request {
-            tolerances: tolerances.to_vec(),
-            ..asked.clone()
-        };
+        let request =
+            |tolerances: &[Tolerance]| Request { tolerances: tolerances.to_vec(), ..asked.clone() };
         assert!(answer(&request(&at)).is_some(), "{least:?}");
         assert_eq!(exhaustive(&request(&at), 1).unwrap(), answer(&request(&at)));
         if least.value > 0.0 {
@@ -223,9 +220,10 @@ fn a_robust_answer_is_the_cheapest_whose_larger_ones_all_meet_the_tolerances() {
             all.iter().filter(larger).all(meets)
         };
         let key = |record: &Record| (record.cost.ripple.area_um2, record.index);
-        let wanted = all.iter().filter(robust).min_by(|a, b| {
-            key(a).0.total_cmp(&key(b).0).then(key(a).1.cmp(&key(b).1))
-        });
+        let wanted = all
+            .iter()
+            .filter(robust)
+            .min_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.cmp(&key(b).1)));
         assert_eq!(answer(&asked), wanted.map(|record| record.index), "scene {scene}");
     }
 }
@@ -251,15 +249,13 @@ fn a_witness_is_a_triangle_that_the_model_draws_wrong() {
         let place = witness.place.unwrap();
         let profile = sweep.space.with(&best.profile, *field, &witness.value).unwrap();
         let model = Model::new(&profile).unwrap();
-        let triangle =
-            model.snap(&sweep.scenes[0].triangle(place.triangle, &profile)).unwrap();
+        let triangle = model.snap(&sweep.scenes[0].triangle(place.triangle, &profile)).unwrap();
         let mut drawing = Drawing::default();
         model.draw(&triangle, &mut drawing).unwrap();
         let row = drawing.spans.iter().filter(|span| span.y == place.y);
         let is_drawn = row.clone().any(|span| (span.x0..span.x1).contains(&place.x));
         let at = profile.grid().unwrap().position(place.x.into(), place.y.into());
-        let belongs =
-            guardbit::exact::covers(triangle.xy, at, guardbit::exact::Rule::TopLeft);
+        let belongs = guardbit::exact::covers(triangle.xy, at, guardbit::exact::Rule::TopLeft);
         match place.what {
             What::Missing => assert!(belongs && !is_drawn),
             What::Extra => assert!(!belongs && is_drawn),
@@ -269,9 +265,8 @@ fn a_witness_is_a_triangle_that_the_model_draws_wrong() {
                 let exact = guardbit::exact::plane_at(triangle.xy, triangle.z.unwrap(), at);
                 let exact = exact.unwrap();
                 let exact = exact.numer().to_f64().unwrap() / exact.denom().to_f64().unwrap();
-                let before = drawing.spans.iter().take_while(|span| {
-                    (span.y, span.x1) <= (place.y, place.x)
-                });
+                let before =
+                    drawing.spans.iter().take_while(|span| (span.y, span.x1) <= (place.y, place.x));
                 let skipped: u32 = before.map(|span| span.x1 - span.x0).sum();
                 let first = row.clone().find(|span| span.x1 > place.x).unwrap().x0;
                 let code = drawing.depth[(skipped + place.x - first) as usize];

@@ -60,13 +60,18 @@ impl EdgeWordConfig {
             let x = if n >> 4 & 1 == 0 { 0 } else { last[0] };
             let y = if n >> 5 & 1 == 0 { 0 } else { last[1] };
             let [px, py] = grid.position(x, y);
-            for bias in [-1, 0] {
-                let value = self.stored(edge.at(px, py) + bias, grid);
-                let magnitude = if value < 0 { !value } else { value };
-                bits = bits.max(1 + i128::BITS - magnitude.leading_zeros());
-            }
+            // Only the rule's own bias: the other one costs a bit where a sample meets the
+            // window's corner.
+            let value = self.stored(edge.at(px, py) + self.bias(&edge), grid);
+            let magnitude = if value < 0 { !value } else { value };
+            bits = bits.max(1 + i128::BITS - magnitude.leading_zeros());
         }
         bits
+    }
+
+    /// An owner covers E >= 0, any other E > 0: with integers, E - 1 >= 0.
+    fn bias(self, edge: &EdgeCoefficients) -> i128 {
+        if self.rule.owns(edge.direction()) { 0 } else { -1 }
     }
 
     fn stored(self, biased: i128, grid: &SampleGrid) -> i128 {
@@ -84,9 +89,8 @@ impl EdgeWordConfig {
         };
         let mut words = EdgeWords { value: [0; 3], step_x: [0; 3], step_y: [0; 3] };
         for (k, edge) in edges(triangle).iter().enumerate() {
-            let bias = if self.rule.owns(edge.direction()) { 0 } else { -1 };
-            // An owner covers E >= 0, any other E > 0: with integers, E - 1 >= 0.
-            words.value[k] = self.stored(edge.at(grid.offset[0], grid.offset[1]) + bias, grid);
+            let e = edge.at(grid.offset[0], grid.offset[1]);
+            words.value[k] = self.stored(e + self.bias(edge), grid);
             words.step_x[k] = edge.a << scale;
             words.step_y[k] = edge.b << scale;
         }

@@ -1,8 +1,9 @@
 //! Lecture A's 35 bits: exactly enough for an exact edge function, and not by one more.
 
-use super::edge_width::{at_corners, top_left_bias, window};
+use super::edge_width::window;
 use super::statement::Statement;
 use crate::bits::{Bits, Rounding, Word};
+use crate::explore::corner::{at_corners, top_left_bias};
 use crate::format::Budget;
 use crate::setup::EdgeCoefficients;
 

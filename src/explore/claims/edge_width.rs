@@ -1,51 +1,10 @@
 //! How many bits an exact edge function takes.
-//!
-//! E is linear in each of the six coordinates of its two vertices and its sample, so its extremes
-//! over boxes lie at box corners: 4 x 4 x 4 evaluations settle a width of any size.
 
 use super::statement::Statement;
 use crate::bits::Rounding;
 use crate::cover::FillRule;
+use crate::explore::corner::{Area, at_corners, signed_bits, top_left_bias, widths};
 use crate::setup::{EdgeCoefficients, Endless, Source, VertexConfig};
-
-/// A square of coordinates in sub-pixels, closed on both sides.
-#[derive(Clone, Copy)]
-pub(super) struct Square {
-    pub(super) low: i128,
-    pub(super) high: i128,
-}
-
-impl Square {
-    pub(super) fn corners(self) -> [[i128; 2]; 4] {
-        let Self { low, high } = self;
-        [[low, low], [high, low], [low, high], [high, high]]
-    }
-}
-
-/// The bias of the top-left rule for an edge: -1 unless it owns its samples.
-pub(super) fn top_left_bias(edge: &EdgeCoefficients) -> i128 {
-    -i128::from(!FillRule::TopLeft.owns(edge.direction()))
-}
-
-/// Every (edge, E at a sample) over the corners of both boxes.
-pub(super) fn at_corners(
-    vertices: Square,
-    samples: Square,
-) -> impl Iterator<Item = (EdgeCoefficients, i128)> {
-    vertices.corners().into_iter().flat_map(move |from| {
-        vertices.corners().into_iter().flat_map(move |to| {
-            let edge = EdgeCoefficients::between(from, to);
-            samples.corners().map(move |[x, y]| (edge, edge.at(x, y)))
-        })
-    })
-}
-
-/// The smallest two's complement width that holds every value.
-pub(super) fn signed_bits(values: impl IntoIterator<Item = i128>) -> u32 {
-    // A negative value needs as many bits as its complement; one more is the sign.
-    let magnitude = values.into_iter().fold(0, |seen: i128, v| seen | (v ^ (v >> 127)));
-    i128::BITS - magnitude.leading_zeros() + 1
-}
 
 /// A window from `low` to `high` pixels with a guard band, on a grid of `s` sub-pixel bits.
 #[derive(Clone, Copy)]
@@ -57,22 +16,18 @@ pub(super) struct Case {
 }
 
 impl Case {
-    pub(super) fn vertices(self) -> Square {
-        Square { low: (self.low - self.guard) << self.s, high: (self.high + self.guard) << self.s }
+    pub(super) fn vertices(self) -> Area {
+        Area::square((self.low - self.guard) << self.s, (self.high + self.guard) << self.s)
     }
 
-    pub(super) fn centres(self) -> Square {
+    pub(super) fn centres(self) -> Area {
         let half = 1 << (self.s - 1);
-        Square { low: (self.low << self.s) + half, high: (self.high << self.s) - half }
+        Area::square((self.low << self.s) + half, (self.high << self.s) - half)
     }
 
     /// Bits of the biased E and of the same without its low `s` bits.
     pub(super) fn bits(self) -> (u32, u32) {
-        let values: Vec<i128> = at_corners(self.vertices(), self.centres())
-            .map(|(edge, e)| e + top_left_bias(&edge))
-            .collect();
-        let stored = values.iter().map(|e| Rounding::Floor.shift_right(*e, self.s).0);
-        (signed_bits(values.iter().copied()), signed_bits(stored))
+        widths(self.vertices(), self.centres(), self.s, FillRule::TopLeft)
     }
 
     /// The closed form (W + G - 1/2)(W + 2G) 4^s.
@@ -146,7 +101,7 @@ pub(super) fn statements() -> Vec<Statement> {
             "23 / 24, 23 / 24",
             || {
                 let real = [(1 << 22) - 1, 1 << 22].map(|high| {
-                    let edges = at_corners(Square { low: 0, high }, Square { low: 0, high: 0 });
+                    let edges = at_corners(Area::square(0, high), Area::square(0, 0));
                     signed_bits(edges.flat_map(|(edge, _)| [edge.a, edge.b]))
                 });
                 let field = [false, true].map(|closed| sgi_field(closed).difference_bits());
@@ -194,9 +149,8 @@ fn sgi_field(closed: bool) -> VertexConfig {
 
 fn constant_agrees(case: Case) -> bool {
     let (w, g, scale) = (case.high, case.guard, 1 << (2 * case.s));
-    let largest = |at: i128| {
-        at_corners(case.vertices(), Square { low: at, high: at }).map(|(_, e)| e.abs()).max()
-    };
+    let largest =
+        |at: i128| at_corners(case.vertices(), Area::square(at, at)).map(|(_, e)| e.abs()).max();
     let middle = (w << case.s) / 2;
     largest(0) == Some((w + g) * (w + 2 * g) * scale)
         && largest(middle) == Some((w + 2 * g) * (w + 2 * g) * scale / 2)
@@ -204,7 +158,7 @@ fn constant_agrees(case: Case) -> bool {
 
 fn twice_plus_one() -> String {
     let wrong = (2..=24_u32).find(|p| {
-        let square = Square { low: 0, high: (1 << p) - 1 };
+        let square = Area::square(0, (1 << p) - 1);
         let bits = if *p <= 3 {
             signed_bits(everywhere(square))
         } else {
@@ -216,10 +170,10 @@ fn twice_plus_one() -> String {
 }
 
 /// The biased E of every vertex pair and sample of a square.
-fn everywhere(square: Square) -> impl Iterator<Item = i128> {
+fn everywhere(square: Area) -> impl Iterator<Item = i128> {
     let points = move || {
-        (square.low..=square.high)
-            .flat_map(move |y| (square.low..=square.high).map(move |x| [x, y]))
+        (square.low[1]..=square.high[1])
+            .flat_map(move |y| (square.low[0]..=square.high[0]).map(move |x| [x, y]))
     };
     points().flat_map(move |from| {
         points().flat_map(move |to| {
@@ -227,19 +181,4 @@ fn everywhere(square: Square) -> impl Iterator<Item = i128> {
             points().map(move |[x, y]| edge.at(x, y) + top_left_bias(&edge))
         })
     })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn widths_of_small_ranges() {
-        assert_eq!(signed_bits([0]), 1);
-        assert_eq!(signed_bits([-1]), 1);
-        assert_eq!(signed_bits([1]), 2);
-        assert_eq!(signed_bits([-8, 7]), 4);
-        assert_eq!(signed_bits([-9]), 5);
-        assert_eq!(signed_bits([8]), 5);
-    }
 }

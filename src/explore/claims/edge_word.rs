@@ -1,10 +1,10 @@
 //! The stored edge word on toy formats: every edge, every sample.
 
-use super::edge_width::{Square, at_corners, signed_bits, top_left_bias};
 use super::statement::Statement;
 use crate::bits::{Rounding, RunTime, Word};
 use crate::dda::Planar;
 use crate::exact::{Position, Rule, classify, covers};
+use crate::explore::corner::{Area, at_corners, signed_bits, top_left_bias};
 use crate::setup::{EdgeCoefficients, Triangle, edges};
 
 /// Toy windows of 2^k pixels on a grid of s bits.
@@ -180,8 +180,8 @@ fn any_sample() -> String {
                 signed_bits(values).to_string()
             })
             .collect();
-        let vertices = Square { low: 0, high: 1 << 22 };
-        let samples = Square { low: 0, high: (1 << 22) - 1 };
+        let vertices = Area::square(0, 1 << 22);
+        let samples = Area::square(0, (1 << 22) - 1);
         let corners = at_corners(vertices, samples).map(|(edge, e)| stored(&edge, e, 10));
         list.push(signed_bits(corners).to_string());
         list.join(", ")

@@ -1,0 +1,175 @@
+//! Widths of an exact edge function, its coefficients and its constant. Spec clauses `B-2` to
+//! `B-4`.
+
+use super::domain::Question;
+use super::edge_coefficient::{coefficient, constant};
+use super::edge_formal::{width_obligation, width_script};
+use super::formal::Formal;
+use super::text::{bits as count, pixels};
+use super::trial::{covers, shoot};
+use super::{Proof, Witness};
+use crate::bits::{Rounding, RunTime, Word};
+use crate::cover::{EdgeStorage, EdgeWordConfig};
+use crate::explore::corner::{Area, at_corners, bias, edges_at_corners, widths};
+use crate::profile::{Form, Profile};
+use crate::setup::Triangle;
+
+/// Stored and full width, then the coefficients and the constant.
+pub(super) fn proofs(question: &Question) -> Vec<Proof> {
+    vec![
+        word(question, EdgeStorage::Shifted),
+        word(question, EdgeStorage::Full),
+        coefficient(question),
+        constant(question),
+    ]
+}
+
+/// The question's profile with an edge function of this word.
+fn narrowed(question: &Question, storage: EdgeStorage, width: u32) -> Profile {
+    let form = Form::EdgeFunction(EdgeWordConfig { rule: question.rule(), storage, width });
+    Profile { form, ..question.profile.clone() }
+}
+
+/// A value as a word of `width` bits reads it.
+pub(super) fn read(value: i128, width: u32) -> Option<i128> {
+    Some(Word::wrapping(RunTime::new(width).ok()?, value).to_i128())
+}
+
+/// The width of one storage.
+pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
+    let (vertices, samples) = (question.vertex_area(), question.sample_area());
+    let (s, rule) = (question.sub_pixel(), question.rule());
+    let shift = if storage == EdgeStorage::Shifted { s } else { 0 };
+    let pick =
+        |(full, stored)| if shift == 0 && storage == EdgeStorage::Full { full } else { stored };
+    let needed = |vertices| pick(widths(vertices, samples, s, rule));
+    let bits = needed(vertices);
+    let given = match question.profile.form {
+        Form::EdgeFunction(edges) if edges.storage == storage => Some(edges.width),
+        _ => None,
+    };
+    let values: Vec<i128> = at_corners(vertices, samples)
+        .map(|(edge, e)| Rounding::Floor.shift_right(e + bias(rule, &edge), shift).0)
+        .collect();
+    let [low, high] = [values.iter().min(), values.iter().max()].map(|v| v.copied().unwrap_or(0));
+    let witness = misread(question, storage, bits);
+    let what = if shift == 0 { "E + bias".to_owned() } else { format!("(E + bias) >> {shift}") };
+    let enough = match given {
+        Some(given) if given == bits => format!("; the profile's {given} are exactly enough"),
+        _ => String::new(),
+    };
+    let fewer =
+        if witness.is_some() { format!(", {} misread one", bits - 1) } else { String::new() };
+    let budget = budget(question, bits, storage);
+    let beyond = pixels(first_wider(question, bits, needed), s);
+    Proof {
+        claim: match storage {
+            EdgeStorage::Shifted => "edge.stored".to_owned(),
+            EdgeStorage::Full => "edge.full".to_owned(),
+        },
+        row: None,
+        place: question.place(),
+        statement: format!(
+            "{} hold {what} for every edge of the vertex box at every sample of the window, so an \
+             exact edge function misclassifies no sample{fewer}{enough}.{budget} Vertices \
+             {beyond} pixels further out on each side take more.",
+            count(bits)
+        ),
+        bits: Some(bits),
+        given,
+        sufficient: given.is_none_or(|given| given >= bits),
+        bound: format!(
+            "-2^{0} <= {low} and {high} <= 2^{0} - 1 over the 64 corners of vertex box and samples",
+            bits - 1
+        ),
+        clause: "B-3",
+        formal: Formal {
+            smt: Some(width_obligation(question, bits + shift, witness.as_ref())),
+            gappa: Some(width_script(question, bits + shift)),
+        },
+        witness,
+    }
+}
+
+/// The lectures' reading of a stored width of 2k + s + 1 bits.
+fn budget(question: &Question, bits: u32, storage: EdgeStorage) -> String {
+    let ([w, h], s) = (question.size(), question.sub_pixel());
+    let k = w.trailing_zeros();
+    let corner = question.origin.map(|at| at << s);
+    let closed = question.vertices == [corner, [corner[0] + (w << s), corner[1] + (h << s)]];
+    if storage == EdgeStorage::Full
+        || w != h
+        || w.count_ones() != 1
+        || !closed
+        || bits != 2 * k + s + 1
+    {
+        return String::new();
+    }
+    format!(
+        " {bits} = 1 guard + {k} integer + {s} sub-pixel + {k} interpolation bits, a budget for \
+         an exact edge function without a guard band."
+    )
+}
+
+/// The least widening of the vertex box, in sub-pixels, that takes more than `bits`.
+fn first_wider(question: &Question, bits: u32, needed: impl Fn(Area) -> u32) -> i128 {
+    let wider = |by: i128| needed(question.widened(by)) > bits;
+    let mut high = 1;
+    while !wider(high) {
+        high *= 2;
+    }
+    let mut low = high / 2;
+    while high - low > 1 {
+        let middle = i128::midpoint(low, high);
+        if wider(middle) { high = middle } else { low = middle }
+    }
+    high
+}
+
+/// A triangle and a pixel drawn wrong with one bit fewer and right with `bits`.
+fn misread(question: &Question, storage: EdgeStorage, bits: u32) -> Option<Witness> {
+    let [narrow, wide] = [bits - 1, bits].map(|width| narrowed(question, storage, width));
+    let (s, rule) = (question.sub_pixel(), question.rule());
+    let shift = if storage == EdgeStorage::Shifted { s } else { 0 };
+    let [w, h] = question.size();
+    let pixels = Area {
+        low: question.origin,
+        high: [question.origin[0] + w - 1, question.origin[1] + h - 1],
+    };
+    edges_at_corners(question.vertex_area()).find_map(|(ends, edge)| {
+        pixels.corners().into_iter().find_map(|pixel| {
+            let sample = question.sample(pixel);
+            let biased = edge.at(sample[0], sample[1]) + bias(rule, &edge);
+            let stored = Rounding::Floor.shift_right(biased, shift).0;
+            let seen = read(stored, bits - 1).filter(|seen| *seen != stored)?;
+            thirds(question.vertex_area(), sample).into_iter().find_map(|third| {
+                let triangle = Triangle { xy: [ends[0], ends[1], third], z: None };
+                if triangle.area2() <= 0 {
+                    return None;
+                }
+                let truth = covers(question, &triangle, pixel);
+                let covered = |profile| Some(shoot(question, profile, &triangle, pixel)?.covered);
+                let agrees = covered(&wide)? == truth && covered(&narrow)? != truth;
+                let text = |covered| if covered { "covered" } else { "not covered" };
+                agrees.then(|| Witness {
+                    bits: bits - 1,
+                    by: "model",
+                    triangle: triangle.xy.to_vec(),
+                    depths: None,
+                    edge: Some(ends),
+                    pixel: Some(pixel),
+                    sample: Some(sample),
+                    expected: format!("{}: the edge word is {stored}", text(truth)),
+                    got: format!("{}: {} read {seen}", text(!truth), count(bits - 1)),
+                })
+            })
+        })
+    })
+}
+
+/// Vertices that can make a triangle around a sample far from an edge.
+fn thirds(vertices: Area, [x, y]: [i128; 2]) -> Vec<[i128; 2]> {
+    let ([x0, y0], [x1, y1]) = (vertices.low, vertices.high);
+    let level = [[x0, y], [x1, y], [x, y0], [x, y1]].into_iter().filter(|at| vertices.holds(*at));
+    level.chain(vertices.corners()).collect()
+}
