@@ -4,6 +4,7 @@
 pub mod claims;
 pub mod clock;
 mod corner;
+pub mod extremes;
 pub mod field;
 pub mod fit;
 pub mod metric;
@@ -13,3 +14,5 @@ pub mod record;
 pub mod space;
 pub mod store;
 pub mod sweep;
+pub mod tolerance;
+pub mod witness;

@@ -1,5 +1,6 @@
 //! `guardbit explore`: what each bit buys on these scenes, and what it costs.
 
+mod extremes;
 mod session;
 mod table;
 
@@ -46,6 +47,10 @@ pub(crate) struct Arguments {
     /// Do not time the model: without it the output is the same on every machine and run.
     #[arg(long)]
     no_speed: bool,
+    /// Instead of a space, push area, slopes, w, depth, window and walk to their extremes, and
+    /// report the first budget of the profile at which each breaks.
+    #[arg(long, conflicts_with_all = ["objectives", "save", "shard", "merge", "csv", "all"])]
+    extremes: bool,
     /// Print one JSON object a budget, in an array.
     #[arg(long, conflicts_with = "csv")]
     json: bool,
@@ -150,6 +155,9 @@ fn default_objectives() -> Vec<Metric> {
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.space.axes.iter().any(|axis| axis == "help") {
         return table::help();
+    }
+    if arguments.extremes {
+        return extremes::run(&arguments.space, arguments.json);
     }
     let sweep = arguments.space.sweep(default_axes)?;
     let objectives = if arguments.objectives.is_empty() {

@@ -12,32 +12,24 @@ mod group;
 mod judge;
 mod larger;
 mod least;
+mod lesser;
 mod partly;
-mod witness;
 
 pub use exhaustive::exhaustive;
 pub use larger::Larger;
 pub use least::Least;
-pub use witness::{Lesser, Witness};
+pub use lesser::Lesser;
 
 use super::field::Value;
 use super::metric::Metric;
 use super::space::{Point, describe};
 use super::sweep::Sweep;
+use super::tolerance::Tolerance;
 use crate::measure::accuracy::Accuracy;
 use crate::profile::{InvalidProfile, Profile};
 use candidate::{Candidate, by_stage};
 use judge::{Judge, Verdict};
 use std::ops::Range;
-
-/// A figure and the most that it may be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Tolerance {
-    /// The figure, one of accuracy.
-    pub metric: Metric,
-    /// The most it may be.
-    pub limit: f64,
-}
 
 /// What is asked for.
 #[derive(Clone, Debug)]
@@ -190,7 +182,7 @@ pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit
             let choices = request.sweep.space.choices(candidate.index);
             // The robust answer's larger ones have been looked at and are quickly seen again.
             let larger = larger::check(&mut judge, request.sweep, &choices)?;
-            let lesser = witness::lesser(&mut judge, request.sweep, &profile)?;
+            let lesser = lesser::lesser(&mut judge, request.sweep, &profile)?;
             let (index, cost) = (candidate.index, candidate.cost);
             Some(Box::new(Best { index, profile, cost, accuracy, larger, lesser }))
         }

@@ -142,7 +142,7 @@ const COUNTS: [Metric; 14] = counts![
     "snap-holes" snap holes "samples hit too seldom by snapping",
     "snap-double-hits" snap double_hits "samples hit too often by snapping",
     "snap-inversions" snap inversions "neighbours in depth exchanged by snapping",
-    "snap-ties" snap ties "neighbours in depth made unequal by snapping",
+    "snap-ties" snap ties "neighbours in depth made equal by snapping",
     "snap-refused" snap refused "triangles outside the vertex field",
     "snap-vanished" snap vanished "triangles without area once snapped",
 ];

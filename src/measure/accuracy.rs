@@ -24,7 +24,7 @@ pub use drawn::{Drawn, bounding_box, needed_width};
 pub use find::{Place, What};
 pub use inspect::{Inspector, Value as Inspected};
 pub use moment::{Moments, Spread};
-pub use order::{Pair, first_overlap};
+pub use order::Pair;
 pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};
 pub use stage::{Face, Stage, Surface};
 pub use tally::{Accuracy, Deviation, Tally, ValueError, ValueTally};

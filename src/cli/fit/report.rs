@@ -3,9 +3,11 @@
 use super::{Failure, Output, PathBuf, Request, Shard};
 use crate::cli::explore::{figure, in_words_budget};
 use guardbit::explore::field::Value;
-use guardbit::explore::fit::{Best, Effort, Fit, Lesser, Tolerance, Witness};
+use guardbit::explore::fit::{Best, Effort, Fit, Lesser};
 use guardbit::explore::store::Header;
 use guardbit::explore::sweep::Sweep;
+use guardbit::explore::tolerance::Tolerance;
+use guardbit::explore::witness::Witness;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

@@ -1,6 +1,6 @@
 //! What the specification's bounds prove without measuring. Spec clause `Q-9`.
 
-use super::Tolerance;
+use crate::explore::tolerance::Tolerance;
 use crate::format::Clamp;
 use crate::measure::accuracy::{Drawn, Stage};
 use crate::profile::Profile;

@@ -1,7 +1,8 @@
 //! The naive twin of the search: everything measured, nothing left out.
 
-use super::{Request, Tolerance};
+use super::Request;
 use crate::explore::sweep::Found;
+use crate::explore::tolerance::Tolerance;
 use crate::profile::InvalidProfile;
 use std::sync::Mutex;
 

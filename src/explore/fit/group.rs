@@ -1,10 +1,9 @@
 //! What is known about the budgets of one grid.
 
-use super::Tolerance;
-use super::judge::exceeded;
 use crate::cover::{EdgeWordConfig, SampleConfig};
 use crate::explore::field::Level;
 use crate::explore::sweep;
+use crate::explore::tolerance::{Tolerance, exceeded};
 use crate::format::Clamp;
 use crate::measure::accuracy::{Accuracy, Drawn, Reach, Stage, Tally, Values, needed_width};
 use crate::profile::{Form, InvalidProfile, Profile, WindowConfig};

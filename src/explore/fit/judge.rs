@@ -2,9 +2,10 @@
 
 use super::group::{Group, StageKey};
 use super::partly::Partly;
-use super::{Effort, Tolerance, bound};
+use super::{Effort, bound};
 use crate::explore::field::Level;
 use crate::explore::sweep::Sweep;
+use crate::explore::tolerance::{Tolerance, exceeded};
 use crate::format::Clamp;
 use crate::measure::accuracy::{Accuracy, Tally, Values, depth_of, face_values, finish};
 use crate::profile::{InvalidProfile, Profile};
@@ -31,18 +32,6 @@ pub(super) struct Judge<'a> {
 
 /// Faces that are tried first, at most.
 const HOT: usize = 32;
-
-/// The first tolerance of a level that a figure exceeds; a figure that the scenes do not have
-/// exceeds nothing.
-pub(super) fn exceeded(
-    tolerances: &[Tolerance],
-    accuracy: &Accuracy,
-    level: Level,
-) -> Option<Tolerance> {
-    let mut here = tolerances.iter().filter(|tolerance| tolerance.metric.level() == level);
-    let over = |t: &&Tolerance| t.metric.of_accuracy(accuracy).is_some_and(|value| value > t.limit);
-    here.find(over).copied()
-}
 
 impl<'a> Judge<'a> {
     pub(super) fn new(sweep: &'a Sweep, tolerances: &[Tolerance]) -> Self {

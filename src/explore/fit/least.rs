@@ -1,11 +1,12 @@
 //! The least that each figure comes to: the nearest that is possible, where a tolerance is not.
 
+use super::Request;
 use super::candidate::by_stage;
 use super::judge::{Judge, Verdict};
-use super::{Request, Tolerance};
 use crate::explore::field::Value;
 use crate::explore::metric::Metric;
 use crate::explore::space::{Point, describe};
+use crate::explore::tolerance::Tolerance;
 use crate::profile::InvalidProfile;
 
 /// The least of a figure over a space.

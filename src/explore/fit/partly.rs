@@ -1,9 +1,8 @@
 //! What a part of a measurement proves: figures that only grow as more is measured.
 
-use super::Tolerance;
 use super::group::{Coverage, Group};
-use super::judge::exceeded;
 use crate::explore::field::Level;
+use crate::explore::tolerance::{Tolerance, exceeded};
 use crate::measure::accuracy::{Moments, Tally, ValueTally, Values};
 
 /// Tolerances, and what a part of the values is a part of.

@@ -144,12 +144,16 @@ impl Stage {
         Place { triangle: source(pair.near), x: pair.x, y: pair.y, what }
     }
 
-    /// The closest pair whose order was another before snapping.
+    /// The closest pair that snapping exchanged (`Greater`), or two that it made level (`Equal`).
     pub fn exchanged(&self, wanted: Ordering) -> Option<Place> {
         let before = |pair: &&order::Pair| {
             order::before_snapping(self, [pair.x, pair.y], [pair.near, pair.far]) == Some(wanted)
         };
-        self.pairs.iter().find(before).map(|pair| self.pair_place(pair, wanted))
+        let pair = match wanted {
+            Ordering::Equal => self.levelled.as_ref(),
+            _ => self.pairs.iter().find(before),
+        };
+        pair.map(|pair| self.pair_place(pair, wanted))
     }
 
     /// Where snapping moved a value furthest, in ULP or as a distance.

@@ -28,9 +28,20 @@ struct Layer {
     code: f64,
 }
 
-/// The pairs of a stage, closest first; and how many of them had the other order before snapping,
-/// and how many were equal in depth then. Faces at one depth are no pair.
-pub(super) fn pairs(stage: &Stage) -> (Vec<Pair>, u64, u64) {
+/// What the faces of a stage are to each other.
+#[derive(Debug, Default)]
+pub(super) struct Neighbours {
+    /// Pairs, closest first. Faces at one depth are no pair.
+    pub(super) pairs: Vec<Pair>,
+    /// How many pairs had the other order before snapping.
+    pub(super) exchanged: u64,
+    /// How many neighbours came to one depth by snapping, and the first of them.
+    pub(super) levelled: u64,
+    pub(super) first_levelled: Option<Pair>,
+}
+
+/// The pairs of a stage, and what snapping did to them.
+pub(super) fn neighbours(stage: &Stage) -> Neighbours {
     let mut by_row: Vec<(u32, u32, u32, u32)> = Vec::new();
     for (n, face) in (0u32..).zip(&stage.faces) {
         if face.depth.is_some() {
@@ -39,7 +50,7 @@ pub(super) fn pairs(stage: &Stage) -> (Vec<Pair>, u64, u64) {
         }
     }
     by_row.sort_unstable();
-    let (mut found, mut inverted, mut tied) = (Vec::new(), 0, 0);
+    let mut found = Neighbours::default();
     let mut hits: Vec<(u32, u32)> = Vec::new();
     let mut layers = Vec::new();
     for row in by_row.chunk_by(|a, b| a.0 == b.0) {
@@ -52,23 +63,25 @@ pub(super) fn pairs(stage: &Stage) -> (Vec<Pair>, u64, u64) {
             sort_layers(stage, [x, y], pixel.iter().map(|hit| hit.1), &mut layers);
             for two in layers.windows(2) {
                 let [near, far] = [two[0].face, two[1].face];
+                let gap = (two[1].code - two[0].code) * (1.0 - 1e-9) - CLOSE;
+                let pair = Pair { near, far, x, y, gap };
+                let before = before_snapping(stage, [x, y], [near, far]);
                 if order(stage, [x, y], &two[0], &two[1]) == Ordering::Equal {
+                    if before.is_some_and(Ordering::is_ne) {
+                        found.levelled += 1;
+                        found.first_levelled.get_or_insert(pair);
+                    }
                     continue;
                 }
-                let gap = (two[1].code - two[0].code) * (1.0 - 1e-9) - CLOSE;
-                found.push(Pair { near, far, x, y, gap });
-                match before_snapping(stage, [x, y], [near, far]) {
-                    Some(Ordering::Greater) => inverted += 1,
-                    Some(Ordering::Equal) => tied += 1,
-                    _ => {}
-                }
+                found.exchanged += u64::from(before == Some(Ordering::Greater));
+                found.pairs.push(pair);
             }
         }
     }
-    found.sort_unstable_by(|a, b| {
+    found.pairs.sort_unstable_by(|a, b| {
         a.gap.total_cmp(&b.gap).then((a.y, a.x, a.near).cmp(&(b.y, b.x, b.near)))
     });
-    (found, inverted, tied)
+    found
 }
 
 fn sort_layers(
@@ -160,10 +173,4 @@ pub(super) fn pairs_in_order<'a>(
         };
         (pair, code(pair.near).cmp(&code(pair.far)))
     })
-}
-
-/// Whether any two faces share a sample: without that, nothing needs a depth test.
-pub fn first_overlap<'a>(stage: &'a Stage) -> Option<(&'a Pair, [&'a Face; 2])> {
-    let pair = stage.pairs.iter().min_by_key(|pair| (pair.y, pair.x, pair.near))?;
-    Some((pair, [pair.near, pair.far].map(|face| &stage.faces[face as usize])))
 }

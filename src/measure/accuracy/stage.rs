@@ -4,7 +4,7 @@
 //! the depth bits alone, so that the budgets of a sweep that share these share a stage.
 
 use super::affine::Affine;
-use super::order::{Pair, pairs};
+use super::order::{Pair, neighbours};
 use super::reference::{REFERENCE_BITS, Reference, Truth, covered_runs, misplaced, real};
 use super::run::{Hits, Side, compare};
 use super::tally::Tally;
@@ -36,6 +36,8 @@ pub struct Stage {
     pub snap: Tally,
     /// Neighbours in depth, those closest to each other first.
     pub pairs: Vec<Pair>,
+    /// Two neighbours that came to one depth by snapping, if any did.
+    pub levelled: Option<Pair>,
     /// What a depth error is worth.
     pub world: World,
 }
@@ -90,6 +92,7 @@ impl Stage {
             depth_samples: 0,
             snap: Tally::default(),
             pairs: Vec::new(),
+            levelled: None,
             world,
         };
         let (rule, mut hits) = (exact_rule(&profile.form), Hits::default());
@@ -97,8 +100,9 @@ impl Stage {
             stage.add(reference, truth, &model, source, rule, &mut hits);
         }
         (stage.snap.holes, stage.snap.double_hits) = hits.holes_and_doubles();
-        let pairs = pairs(&stage);
-        (stage.pairs, stage.snap.inversions, stage.snap.ties) = pairs;
+        let found = neighbours(&stage);
+        (stage.snap.inversions, stage.snap.ties) = (found.exchanged, found.levelled);
+        (stage.pairs, stage.levelled) = (found.pairs, found.first_levelled);
         Ok(stage)
     }
 

@@ -1,32 +1,19 @@
-//! Why one bit less will not do: a triangle and a sample. Spec clause `Q-8`.
+//! Why a budget will not do: a triangle and a sample. Spec clause `Q-8`.
 
-use super::Tolerance;
-use super::judge::{Judge, Verdict, exceeded};
+use super::field::{Level, Value};
+use super::sweep::{self, Sweep};
+use super::tolerance::{Tolerance, exceeded};
 use crate::bits::Event;
-use crate::explore::field::{Field, Level, Value};
-use crate::explore::sweep::{self, Sweep};
 use crate::measure::accuracy::{Drawn, Inspected, Place, Stage, Tally, Truth, What, measure};
 use crate::measure::error::exact_rule;
 use crate::model::Model;
 use crate::profile::{InvalidProfile, Profile};
 use std::cmp::Ordering;
 
-/// What comes of one bit less in one field.
-#[derive(Clone, Debug)]
-pub enum Lesser {
-    /// It fails: here is why.
-    Fails(Field, Box<Witness>),
-    /// There is no bit to take away, or no such profile.
-    Impossible(Field, String),
-    /// It meets the tolerances, too: the cost does not count the field, or its value is not
-    /// in the space.
-    Meets(Field),
-}
-
-/// A tolerance that one bit less exceeds, and the place where.
+/// A tolerance that a budget exceeds, and the place where.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// The value with one bit less.
+    /// The value of the field in question.
     pub value: Value,
     /// The tolerance that is exceeded.
     pub tolerance: Tolerance,
@@ -44,48 +31,12 @@ pub struct Witness {
     pub finding: String,
 }
 
-/// Takes a bit away from each field of the space that counts bits.
-pub(super) fn lesser(
-    judge: &mut Judge<'_>,
-    sweep: &Sweep,
-    profile: &Profile,
-) -> Result<Vec<Lesser>, InvalidProfile> {
-    let mut found = Vec::new();
-    for axis in sweep.space.axes().iter().filter(|axis| axis.field.is_bits()) {
-        let field = axis.field;
-        let Some(Value::Bits(bits)) = field.read(profile) else { continue };
-        let Some(less) = bits.checked_sub(1) else {
-            found.push(Lesser::Impossible(field, "there is no bit to take away".to_owned()));
-            continue;
-        };
-        let changed = match sweep.space.with(profile, field, &Value::Bits(less)) {
-            Ok(changed) => changed,
-            Err(error) => {
-                found.push(Lesser::Impossible(field, error.to_string()));
-                continue;
-            }
-        };
-        if let Err(error) = changed.validate() {
-            found.push(Lesser::Impossible(field, error.to_string()));
-            continue;
-        }
-        found.push(match judge.judge(&changed)? {
-            Verdict::Fails => match witness(sweep, &judge.tolerances, &changed, less)? {
-                Some(witness) => Lesser::Fails(field, Box::new(witness)),
-                None => Lesser::Meets(field),
-            },
-            _ => Lesser::Meets(field),
-        });
-    }
-    Ok(found)
-}
-
 /// The first tolerance that a profile exceeds, measured as a whole, and where.
-fn witness(
+pub(super) fn witness(
     sweep: &Sweep,
     tolerances: &[Tolerance],
     profile: &Profile,
-    less: u32,
+    value: Value,
 ) -> Result<Option<Witness>, InvalidProfile> {
     let stages = sweep.stages(profile)?;
     let (mut snap, mut arithmetic) = (Tally::default(), Tally::default());
@@ -113,7 +64,7 @@ fn witness(
         None => first_refusal(sweep, scene, profile)?,
     };
     Ok(Some(Witness {
-        value: Value::Bits(less),
+        value,
         tolerance,
         figure: figure(&whole),
         scene,

@@ -1,0 +1,116 @@
+//! `guardbit explore --extremes`.
+
+use super::table::figure;
+use super::{Failure, Outcome, Output, SpaceArguments};
+use crate::cli::progress;
+use guardbit::explore::extremes::{Extreme, extremes};
+use guardbit::explore::field::Value;
+use guardbit::explore::witness::Witness;
+use guardbit::profile::{self, WindowConfig};
+use serde::Serialize;
+use std::sync::atomic::Ordering;
+
+/// An extreme as JSON.
+#[derive(Serialize)]
+struct Row {
+    quantity: &'static str,
+    pushed: String,
+    field: &'static str,
+    own: Option<Value>,
+    metric: &'static str,
+    limit: f64,
+    holds: Option<Value>,
+    breaks: Option<Break>,
+}
+
+#[derive(Serialize)]
+struct Break {
+    value: Value,
+    figure: f64,
+    finding: String,
+    vertices: Option<[[i128; 2]; 3]>,
+    depths: Option<[i128; 3]>,
+    pixel: Option<[u32; 2]>,
+}
+
+pub(super) fn run(arguments: &SpaceArguments, json: bool) -> Result<Outcome, Failure> {
+    if !arguments.axes.is_empty() {
+        let message = "--extremes takes each field down by itself: --vary does not go with it";
+        return Err(Failure::input(message));
+    }
+    let mut profile = profile::load(&arguments.profile)?;
+    if let Some((width, height)) = arguments.window {
+        profile.window = WindowConfig { width, height };
+        profile.validate().map_err(Failure::input)?;
+    }
+    let monitor = progress::monitor();
+    let found = progress::watch("pushing", &monitor, || {
+        extremes(&profile, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
+    })?;
+    if monitor.cancel.load(Ordering::Relaxed) {
+        return Err(Failure::interrupted("interrupted: the suite was not finished"));
+    }
+    let mut output = Output::new();
+    if json {
+        let rows: Vec<Row> = found.into_iter().map(row).collect();
+        output.json(&rows)?;
+        return Ok(Outcome::Good);
+    }
+    let window = profile.window;
+    output.line(format!("{}, {} x {}", profile.name, window.width, window.height))?;
+    for extreme in &found {
+        print(&mut output, extreme)?;
+    }
+    output.flush()?;
+    Ok(Outcome::Good)
+}
+
+fn row(extreme: Extreme) -> Row {
+    let Extreme { name, pushed, field, own, tolerance, holds, breaks, .. } = extreme;
+    Row {
+        quantity: name,
+        pushed,
+        field,
+        own,
+        metric: tolerance.metric.name,
+        limit: tolerance.limit,
+        holds: holds.map(|(value, _)| value),
+        breaks: breaks.map(|witness| {
+            let Witness { value, figure, finding, vertices, depths, place, .. } = *witness;
+            let pixel = place.map(|place| [place.x, place.y]);
+            Break { value, figure, finding, vertices, depths, pixel }
+        }),
+    }
+}
+
+fn print(output: &mut Output, extreme: &Extreme) -> Result<(), Failure> {
+    let Extreme { name, pushed, field, own, tolerance, holds, breaks, tried } = extreme;
+    let metric = tolerance.metric.name;
+    let limit = figure(tolerance.limit);
+    output.line("")?;
+    output.line(format!("{name}: {pushed}"))?;
+    let own = own.as_ref().map_or(String::new(), |own| format!(", the profile's own is {own}"));
+    match holds {
+        Some((value, reached)) => output.line(format!(
+            "  holds   {field}={value}: {metric} {} <= {limit}{own}",
+            figure(*reached)
+        ))?,
+        None => output.line(format!("  holds   at none of {tried} values of {field}{own}"))?,
+    }
+    let Some(witness) = breaks else {
+        return output.line(format!("  breaks  never, down to the last of {tried} values"));
+    };
+    let Witness { value, figure: got, finding, vertices, depths, place, .. } = &**witness;
+    output.line(format!(
+        "  breaks  {field}={value}: {metric} {} > {limit}: {finding}",
+        figure(*got)
+    ))?;
+    if let (Some(place), Some([a, b, c])) = (place, vertices) {
+        let depths = depths.map_or(String::new(), |[a, b, c]| format!(", depths {a} {b} {c}"));
+        output.line(format!(
+            "          triangle ({}, {}) ({}, {}) ({}, {}) in sub-pixels{depths}, pixel ({}, {})",
+            a[0], a[1], b[0], b[1], c[0], c[1], place.x, place.y
+        ))?;
+    }
+    Ok(())
+}
