@@ -12,6 +12,7 @@ mod plot;
 mod profile;
 mod progress;
 mod render;
+mod report;
 mod sets;
 mod speed;
 mod trace;

@@ -1,6 +1,9 @@
 //! `guardbit explore`: what each bit buys on these scenes, and what it costs.
 
+mod chart;
+mod files;
 mod session;
+mod synthesis;
 mod table;
 
 use super::Outcome;
@@ -17,11 +20,12 @@ use guardbit::measure::accuracy::Reference;
 use guardbit::model::{Model, View};
 use guardbit::profile::{self, Profile};
 use guardbit::scene;
+use files::FileArguments;
 use guardbit::vector::plan::Shard;
 use session::Session;
 use std::io::Write;
 use std::path::PathBuf;
-pub(crate) use table::{figure, help as columns_help};
+pub(crate) use table::{FIGURES, figure, help as columns_help};
 
 /// Measure every budget of a space on scenes: accuracy, hardware cost, software speed, Pareto front.
 ///
@@ -55,6 +59,8 @@ pub(crate) struct Arguments {
     /// Print every budget in the table, not the Pareto front alone.
     #[arg(long)]
     all: bool,
+    #[command(flatten)]
+    files: FileArguments,
 }
 
 /// What `explore` and `fit` search, and on what.
@@ -157,13 +163,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         arguments.objectives.clone()
     };
-    let session = Session::new(&sweep, super::vectors::threads(arguments.space.threads));
+    arguments.files.check()?;
+    let threads = super::vectors::threads(arguments.space.threads);
+    let session = Session::new(&sweep, threads);
     let mut records: Vec<Record> = if arguments.merge.is_empty() {
         session.measure(arguments.save.as_deref(), arguments.shard, !arguments.no_speed)?
     } else {
         session.merge(&arguments.merge)?
     };
     pareto::mark(&mut records, &objectives);
+    arguments.files.synthesise(&sweep, &mut records, threads)?;
+    arguments.files.write(&arguments.space, &sweep, &records, &objectives)?;
     let mut output = Output::new();
     if arguments.json {
         output.line("[")?;
