@@ -66,7 +66,8 @@ fn a_page_holds_every_budget_and_the_output_is_as_without() {
     assert_eq!(names(home.path()), ["a.html"]);
     let page = std::fs::read_to_string(home.path().join("a.html")).unwrap();
     let (data, records) = (data(&page), serde_json::from_str::<Vec<Value>>(&plain).unwrap());
-    let (budgets, metrics) = (data["budgets"].as_array().unwrap(), data["metrics"].as_array().unwrap());
+    let (budgets, metrics) =
+        (data["budgets"].as_array().unwrap(), data["metrics"].as_array().unwrap());
     assert_eq!((budgets.len(), records.len()), (6, 6));
     let at = |name: &str| metrics.iter().position(|metric| metric["name"] == name).unwrap();
     let (rms, snapped) = (at("depth-rms-world"), at("snap-misclassified"));
@@ -91,7 +92,9 @@ fn a_page_holds_every_budget_and_the_output_is_as_without() {
         let ours = "http://www.w3.org/2000/svg";
         assert!(!page.replace(ours, "").contains(foreign), "{foreign}");
     }
-    for place in [env!("CARGO_MANIFEST_DIR"), home.path().to_str().unwrap(), env!("CARGO_BIN_EXE_guardbit")] {
+    for place in
+        [env!("CARGO_MANIFEST_DIR"), home.path().to_str().unwrap(), env!("CARGO_BIN_EXE_guardbit")]
+    {
         assert!(!page.contains(place), "{place}");
     }
     run_in(home.path(), &format!("{SPACE} --json --html b.html --maps 2")).ends(0);

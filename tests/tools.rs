@@ -29,8 +29,7 @@ const CHROMIUM: Tool = Tool {
     version: "--version",
     package: "chromium",
 };
-const SYNTHESIS: Tool =
-    Tool { name: "yosys", programs: &[YOSYS], version: "-V", package: "yosys" };
+const SYNTHESIS: Tool = Tool { name: "yosys", programs: &[YOSYS], version: "-V", package: "yosys" };
 
 impl Tool {
     /// The first of its programs that this machine has.
@@ -103,7 +102,10 @@ fn click_through(chromium: &str, profile: &str, space: &str, budgets: usize) -> 
     let head = &dom[dom.find("<html").unwrap()..][..400.min(dom.len())];
     let head = &head[..head.find('>').unwrap()];
     for (attribute, value) in [("ready", &*budgets.to_string()), ("selftest", "passed")] {
-        assert!(head.contains(&format!("data-{attribute}=\"{value}\"")), "{attribute}: {head}\n{log}");
+        assert!(
+            head.contains(&format!("data-{attribute}=\"{value}\"")),
+            "{attribute}: {head}\n{log}"
+        );
     }
     assert!(!head.contains("data-errors"), "{head}");
     let points = dom.matches("<circle class=\"point\"").count();
@@ -133,13 +135,16 @@ fn browse(chromium: &str, home: &Path, address: &str) -> std::process::Output {
 }
 
 fn profiles_are_synthesised(yosys: &str) {
-    for name in profile::builtin_names() {
+    for (name, _) in profile::BUILTIN {
         let profile = profile::load(name).unwrap();
         let found = synthesise(&profile, Path::new(yosys), Duration::from_secs(120)).unwrap();
         // Registers are what the estimate counts as well; tables have no count of ours to meet.
         assert_eq!(found.flip_flops, estimate(&profile).unwrap().register_bits, "{name}");
         for unit in &found.units {
-            assert!(unit.luts > 0 && unit.flip_flops > 0 && unit.longest_path > 0, "{name} {unit:?}");
+            assert!(
+                unit.luts > 0 && unit.flip_flops > 0 && unit.longest_path > 0,
+                "{name} {unit:?}"
+            );
         }
     }
 }

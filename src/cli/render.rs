@@ -258,7 +258,7 @@ fn colour(show: Show, canvas: &mut Canvas) {
 }
 
 /// Blue over green to red.
-pub(crate) fn heat(value: f64) -> Colour {
+fn heat(value: f64) -> Colour {
     let hump = |centre: f64| channel(300.0 - 600.0 * (value - centre).abs());
     [hump(1.0).max(channel(60.0 * value)), hump(0.5), hump(0.0).max(30)]
 }

@@ -11,7 +11,7 @@ use guardbit::explore::metric::Metric;
 use guardbit::explore::record::Record;
 use guardbit::explore::sweep::Sweep;
 use guardbit::model::MODEL_VERSION;
-use map::{Map, Scale};
+use map::Map;
 pub(crate) use shell::{command_line, quoted};
 use std::fmt::Write as _;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -69,7 +69,6 @@ impl Page<'_> {
     /// The page. Maps take a while, and Ctrl-C ends that.
     pub(crate) fn html(&self) -> Result<String, Failure> {
         let maps = self.maps()?;
-        let scale = Scale::new(&maps);
         let title = format!(
             "{} on {}",
             self.sweep.space.base().name,
@@ -82,8 +81,7 @@ impl Page<'_> {
             ("FACTS", &self.facts()),
             ("COMMAND", &escaped(&self.command)),
             ("TABLE", &self.table()),
-            ("MAPS", &self.figures(&maps, scale)?),
-            ("SCALE", &scale_bar(scale)),
+            ("MAPS", &self.figures(&maps)?),
             ("DATA", &data::block(self)),
             ("SCRIPT", SCRIPT),
         ];
@@ -165,7 +163,8 @@ impl Page<'_> {
         }
         for name in &columns {
             if let Some(f) = figures.iter().find(|figure| figure.name == *name) {
-                let _ = write!(out, "<th class=\"{}\">{name}<small>{}</small></th>", f.group, f.unit);
+                let _ =
+                    write!(out, "<th class=\"{}\">{name}<small>{}</small></th>", f.group, f.unit);
             }
         }
         out.push_str("</tr></thead>\n<tbody>\n");
@@ -202,32 +201,32 @@ impl Page<'_> {
         })
     }
 
-    fn figures(&self, maps: &[Map], scale: Option<Scale>) -> Result<String, Failure> {
+    fn figures(&self, maps: &[Map]) -> Result<String, Failure> {
         let mut out = String::new();
         for map in maps {
             let record = self.records.iter().find(|record| record.index == map.index);
             let fields = record.map_or(String::new(), |record| self.in_words(record));
             let [missing, extra] = map.wrong;
-            let depth = match scale {
-                Some(_) => format!("worst depth error {} ULP, ", figure(map.worst)),
-                None => String::new(),
-            };
             let pooled = match map.block {
                 1 => String::new(),
                 block => format!("; a dot is the worst of {block} × {block} pixels"),
             };
             let [width, height] = map.size;
             let caption = format!(
-                "Budget {}: {fields}. {}: {depth}{missing} missing, {extra} extra samples{pooled}.",
-                map.index, map.scene
+                "Budget {}: {fields}. {}: worst depth error {} ULP, {missing} missing, {extra} \
+                 extra samples{pooled}.",
+                map.index,
+                map.scene,
+                figure(map.worst)
             );
             let caption = escaped(&caption);
             let _ = writeln!(
                 out,
                 "<figure data-index=\"{}\"><img alt=\"Error map. {caption}\" width=\"{width}\" \
-                 height=\"{height}\" src=\"{}\"><figcaption>{caption}</figcaption></figure>",
+                 height=\"{height}\" src=\"{}\">{}<figcaption>{caption}</figcaption></figure>",
                 map.index,
-                map.uri(scale)?
+                map.uri()?,
+                scale_bar(map)
             );
         }
         if maps.is_empty() {
@@ -245,23 +244,19 @@ impl Page<'_> {
     }
 }
 
-/// The colours' meaning.
-fn scale_bar(scale: Option<Scale>) -> String {
-    let Some(scale) = scale else {
-        return "<p>No depth error is shown: blue is covered and right.</p>".to_owned();
-    };
-    let stops: Vec<String> = map::colours().step_by(7).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
+/// What the colours of a map stand for.
+fn scale_bar(map: &Map) -> String {
+    if map.worst == 0.0 {
+        return "<p>No depth error: blue is covered and right.</p>".to_owned();
+    }
+    let stops: Vec<String> =
+        map::colours().step_by(9).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
     let mut out = format!(
-        "<div class=\"scale\" role=\"img\" aria-label=\"Colour scale from {} to {} ULP\"><i \
-         style=\"background:linear-gradient(to right,{})\"></i>",
-        figure(scale.error(0.0)),
-        figure(scale.error(1.0)),
+        "<div class=\"scale\"><i style=\"background:linear-gradient(to right,{})\"></i>",
         stops.join(",")
     );
-    for part in [0.0, 0.25, 0.5, 0.75, 1.0] {
-        let error = scale.error(part);
-        let text = if error < 1000.0 { format!("{error:.3}") } else { figure(error) };
-        let _ = write!(out, "<span>{text}</span>");
+    for part in [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0] {
+        let _ = write!(out, "<span>{}</span>", figure(map.error(part)));
     }
     out + "<b>ULP</b></div>"
 }
@@ -279,7 +274,7 @@ mod tests {
     fn every_key_of_the_page_is_known() {
         let keys: Vec<&str> = PAGE.split('@').skip(1).step_by(2).collect();
         let known = [
-            "TITLE", "STYLE", "TITLE", "ABOUT", "FACTS", "COMMAND", "SCALE", "MAPS", "TABLE", "DATA",
+            "TITLE", "STYLE", "TITLE", "ABOUT", "FACTS", "COMMAND", "MAPS", "TABLE", "DATA",
             "SCRIPT",
         ];
         for key in keys {

@@ -98,9 +98,12 @@ pub(super) fn figures<'a>(records: &'a [Record]) -> Vec<Figure<'a>> {
         })
         .collect();
     if records.iter().any(|record| record.synthesis.is_some()) {
-        figures.extend(
-            SYNTHESIS.map(|(name, unit, about)| Figure { name, unit, about, group: "synthesis" }),
-        );
+        figures.extend(SYNTHESIS.map(|(name, unit, about)| Figure {
+            name,
+            unit,
+            about,
+            group: "synthesis",
+        }));
     }
     figures
 }

@@ -1,7 +1,7 @@
 //! Error maps: where on the scene a budget's arithmetic goes wrong.
 
 use crate::cli::failure::Failure;
-use crate::cli::render::{BACKGROUND, Colour, EXTRA_COLOUR, MISSING_COLOUR, heat};
+use crate::cli::render::{BACKGROUND, Colour, EXTRA_COLOUR, MISSING_COLOUR};
 use base64::Engine as _;
 use guardbit::explore::metric::Metric;
 use guardbit::explore::record::Record;
@@ -14,9 +14,12 @@ use guardbit::profile::Profile;
 /// The longer side of a map, in picture pixels, where there is one scene. More share its area.
 const SIDE: f64 = 384.0;
 /// Colours of the scale; few enough that a map packs well, more than an eye tells apart.
-const LEVELS: u8 = 64;
-/// Octaves of the scale below the most accurate budget's worst error.
-const BELOW: f64 = 16.0;
+const LEVELS: usize = 64;
+/// From a map's worst error down to where its scale begins: six octaves.
+const BELOW: f64 = 64.0;
+/// Blue to red, of about even lightness, so that white and magenta stand out everywhere.
+const HEAT: [Colour; 5] =
+    [[44, 84, 190], [38, 156, 178], [132, 186, 92], [236, 168, 60], [206, 44, 40]];
 
 /// What a picture pixel shows: the worst of its samples, by this order.
 #[derive(Clone, Copy, Debug, PartialEq, PartialOrd)]
@@ -44,13 +47,6 @@ pub(super) struct Map {
     /// Missing and extra samples.
     pub(super) wrong: [u64; 2],
     seen: Vec<Seen>,
-}
-
-/// The colours' meaning, the same for all maps of a page.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scale {
-    low: f64,
-    high: f64,
 }
 
 /// The budgets to map: so many of the front, evenly spread over it by its first objective.
@@ -127,50 +123,50 @@ fn one(
     Ok(map)
 }
 
-impl Scale {
-    /// A scale that tells the errors of all maps apart; `None` where there is no depth error.
-    ///
-    /// It is logarithmic, because a bit halves the error: on one linear scale the better half of
-    /// the budgets would all be the same blue.
-    pub(super) fn new(maps: &[Map]) -> Option<Self> {
-        let worst = || maps.iter().map(|map| map.worst).filter(|worst| *worst > 0.0);
-        let high = worst().reduce(f64::max)?;
-        Some(Self { low: worst().fold(high, f64::min) / BELOW, high })
-    }
-
-    /// The error at a part of the scale, from 0 to 1.
-    pub(super) fn error(self, part: f64) -> f64 {
-        self.low * (self.high / self.low).powf(part)
-    }
-
-    /// The part of the scale that an error is at.
-    fn part(self, error: f64) -> f64 {
-        ((error / self.low).ln() / (self.high / self.low).ln()).clamp(0.0, 1.0)
-    }
-}
-
 /// The colours of the scale, in order.
 pub(super) fn colours() -> impl Iterator<Item = Colour> {
-    (0..LEVELS).map(|level| heat(f64::from(level) / f64::from(LEVELS - 1)))
+    let last = LEVELS - 1;
+    (0..LEVELS).map(move |level| {
+        let at = level * (HEAT.len() - 1);
+        let (below, part) = (at / last, at % last);
+        let above = (below + 1).min(HEAT.len() - 1);
+        std::array::from_fn(|channel| {
+            let [from, to] = [below, above].map(|n| usize::from(HEAT[n][channel]));
+            u8::try_from((from * (last - part) + to * part) / last).unwrap_or(u8::MAX)
+        })
+    })
 }
 
 impl Map {
+    /// The error at a part of the scale, from 0 to 1.
+    ///
+    /// Each map has a scale of its own, which ends at its worst error: it shows where the errors
+    /// are, and its numbers say how large. It is logarithmic, because one sliver that is worse than
+    /// all the rest would leave nothing but blue on a linear one.
+    pub(super) fn error(&self, part: f64) -> f64 {
+        self.worst * BELOW.powf(part - 1.0)
+    }
+
+    /// The part of the scale that an error is at.
+    fn part(&self, error: f64) -> f64 {
+        let part = 1.0 + (error / self.worst).ln() / BELOW.ln();
+        if part.is_nan() { 0.0 } else { part.clamp(0.0, 1.0) }
+    }
+
     /// The picture as a data URI.
-    pub(super) fn uri(&self, scale: Option<Scale>) -> Result<String, Failure> {
-        let level = |ulp: f64| {
-            let part = scale.map_or(0.0, |scale| scale.part(ulp));
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a level")]
-            let level = (part * f64::from(LEVELS - 1)).round() as u8;
-            level
-        };
+    pub(super) fn uri(&self) -> Result<String, Failure> {
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few levels")]
+        let level = |ulp: f64| (self.part(ulp) * (LEVELS - 1) as f64).round() as u8;
+        #[allow(clippy::cast_possible_truncation, reason = "few levels")]
+        let after = LEVELS as u8;
         let pixels: Vec<u8> = self
             .seen
             .iter()
             .map(|seen| match seen {
                 Seen::Depth(ulp) => level(*ulp),
-                Seen::Nothing => LEVELS,
-                Seen::Missing => LEVELS + 1,
-                Seen::Extra => LEVELS + 2,
+                Seen::Nothing => after,
+                Seen::Missing => after + 1,
+                Seen::Extra => after + 2,
             })
             .collect();
         let palette: Vec<u8> =
@@ -202,14 +198,15 @@ mod tests {
     }
 
     #[test]
-    fn the_scale_holds_every_worst_error() {
-        assert_eq!(Scale::new(&[map(0.0)]), None);
-        let scale = Scale::new(&[map(0.0), map(2.0), map(64.0)]).unwrap();
-        assert_eq!((scale.low, scale.high), (0.125, 64.0));
-        for (error, part) in [(0.0, 0.0), (0.125, 0.0), (1.0, 1.0 / 3.0), (64.0, 1.0)] {
-            assert!((scale.part(error) - part).abs() < 1e-12, "{error}");
+    fn a_scale_ends_at_the_worst_error() {
+        let some = map(64.0);
+        for (error, part) in [(0.0, 0.0), (0.5, 0.0), (1.0, 0.0), (8.0, 0.5), (64.0, 1.0)] {
+            assert!((some.part(error) - part).abs() < 1e-12, "{error}");
         }
-        assert!((scale.error(1.0 / 3.0) - 1.0).abs() < 1e-12);
+        assert!((some.error(0.5) - 8.0).abs() < 1e-12);
+        assert_eq!(map(0.0).part(0.0), 0.0, "without an error all is blue");
+        let colours: Vec<Colour> = colours().collect();
+        assert_eq!((colours[0], colours[LEVELS - 1], colours.len()), (HEAT[0], HEAT[4], LEVELS));
     }
 
     #[test]

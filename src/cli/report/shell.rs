@@ -28,9 +28,13 @@ mod tests {
         for word in same {
             assert_eq!(quoted(word), word);
         }
-        for (word, text) in
-            [("", "''"), ("a b", "'a b'"), ("it's", r"'it'\''s'"), ("$HOME", "'$HOME'"), ("~", "'~'")]
-        {
+        for (word, text) in [
+            ("", "''"),
+            ("a b", "'a b'"),
+            ("it's", r"'it'\''s'"),
+            ("$HOME", "'$HOME'"),
+            ("~", "'~'"),
+        ] {
             assert_eq!(quoted(word), text);
         }
     }

@@ -137,7 +137,11 @@ impl Synthesis {
 ///
 /// # Errors
 /// As for [`synthesise`].
-pub fn synthesise_unit(source: &Source, yosys: &Path, limit: Duration) -> Result<UnitSynthesis, SynthesisError> {
+pub fn synthesise_unit(
+    source: &Source,
+    yosys: &Path,
+    limit: Duration,
+) -> Result<UnitSynthesis, SynthesisError> {
     let folder = Folder::new()?;
     let path = |name: &str| folder.0.join(name);
     let io = |path: &Path| {
