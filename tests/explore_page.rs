@@ -178,10 +178,15 @@ fn parts_and_their_join_write_files_as_well() {
 #[test]
 fn maps_are_as_many_as_asked_for_and_as_large_as_the_window() {
     let home = tempfile::tempdir().unwrap();
+    let records = run_in(home.path(), &format!("{SPACE} --json")).ends(0).out;
+    let records: Vec<Value> = serde_json::from_str(&records).unwrap();
+    let front = records.iter().filter(|record| record["pareto"] == true).count();
+    assert!((2..=6).contains(&front));
     for (maps, scenes, window, size, drawn) in [
         (0, "", "96x64", [96, 64], 0),
         (1, "", "96x64", [96, 64], 1),
-        (16, "", "96x64", [96, 64], 6),
+        // No more than there are budgets on the front.
+        (16, "", "96x64", [96, 64], front),
         (1, "", "800x300", [267, 100], 1),
         (2, "--scene knot", "96x64", [96, 64], 4),
     ] {

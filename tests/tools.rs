@@ -137,7 +137,7 @@ fn browse(chromium: &str, home: &Path, address: &str) -> std::process::Output {
 fn profiles_are_synthesised(yosys: &str) {
     for (name, _) in profile::BUILTIN {
         let profile = profile::load(name).unwrap();
-        let found = synthesise(&profile, Path::new(yosys), Duration::from_secs(120)).unwrap();
+        let found = synthesise(&profile, Path::new(yosys), Duration::from_mins(2)).unwrap();
         // Registers are what the estimate counts as well; tables have no count of ours to meet.
         assert_eq!(found.flip_flops, estimate(&profile).unwrap().register_bits, "{name}");
         for unit in &found.units {

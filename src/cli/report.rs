@@ -255,7 +255,7 @@ fn scale_bar(map: &Map) -> String {
         "<div class=\"scale\"><i style=\"background:linear-gradient(to right,{})\"></i>",
         stops.join(",")
     );
-    for part in [0.0, 1.0 / 3.0, 2.0 / 3.0, 1.0] {
+    for part in [0.0, 0.5, 1.0] {
         let _ = write!(out, "<span>{}</span>", figure(map.error(part)));
     }
     out + "<b>ULP</b></div>"

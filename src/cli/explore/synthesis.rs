@@ -13,8 +13,8 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// Seconds a unit; the widest of the built-in profiles takes a few.
-const LIMIT: Duration = Duration::from_secs(120);
+/// For one unit; the widest of the built-in profiles takes a few seconds.
+const LIMIT: Duration = Duration::from_mins(2);
 const HINT: &str = "without --synth area and delay are estimated from the bits";
 
 /// Fails where there is no such tool: before a sweep of hours, not after it.

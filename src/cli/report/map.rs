@@ -14,7 +14,7 @@ use guardbit::profile::Profile;
 /// The longer side of a map, in picture pixels, where there is one scene. More share its area.
 const SIDE: f64 = 384.0;
 /// Colours of the scale; few enough that a map packs well, more than an eye tells apart.
-const LEVELS: usize = 64;
+const LEVELS: u8 = 64;
 /// From a map's worst error down to where its scale begins: six octaves.
 const BELOW: f64 = 64.0;
 /// Blue to red, of about even lightness, so that white and magenta stand out everywhere.
@@ -125,8 +125,8 @@ fn one(
 
 /// The colours of the scale, in order.
 pub(super) fn colours() -> impl Iterator<Item = Colour> {
-    let last = LEVELS - 1;
-    (0..LEVELS).map(move |level| {
+    let last = usize::from(LEVELS) - 1;
+    (0..=last).map(move |level| {
         let at = level * (HEAT.len() - 1);
         let (below, part) = (at / last, at % last);
         let above = (below + 1).min(HEAT.len() - 1);
@@ -155,18 +155,17 @@ impl Map {
 
     /// The picture as a data URI.
     pub(super) fn uri(&self) -> Result<String, Failure> {
+        let last = LEVELS - 1;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few levels")]
-        let level = |ulp: f64| (self.part(ulp) * (LEVELS - 1) as f64).round() as u8;
-        #[allow(clippy::cast_possible_truncation, reason = "few levels")]
-        let after = LEVELS as u8;
+        let level = |ulp: f64| (self.part(ulp) * f64::from(last)).round() as u8;
         let pixels: Vec<u8> = self
             .seen
             .iter()
             .map(|seen| match seen {
                 Seen::Depth(ulp) => level(*ulp),
-                Seen::Nothing => after,
-                Seen::Missing => after + 1,
-                Seen::Extra => after + 2,
+                Seen::Nothing => LEVELS,
+                Seen::Missing => LEVELS + 1,
+                Seen::Extra => LEVELS + 2,
             })
             .collect();
         let palette: Vec<u8> =
@@ -206,7 +205,7 @@ mod tests {
         assert!((some.error(0.5) - 8.0).abs() < 1e-12);
         assert_eq!(map(0.0).part(0.0), 0.0, "without an error all is blue");
         let colours: Vec<Colour> = colours().collect();
-        assert_eq!((colours[0], colours[LEVELS - 1], colours.len()), (HEAT[0], HEAT[4], LEVELS));
+        assert_eq!((colours[0], colours[63], colours.len()), (HEAT[0], HEAT[4], 64));
     }
 
     #[test]
