@@ -75,9 +75,9 @@ fn a_page_holds_every_budget_and_the_output_is_as_without() {
         assert_eq!(budget["fields"], record["budget"]);
         assert_eq!(budget["pareto"], record["pareto"]);
         let accuracy = &record["accuracy"];
-        let exact = accuracy["arithmetic"]["depth"]["world"]["rms"].as_f64().unwrap();
-        let shown = budget["figures"][rms].as_f64().unwrap();
-        assert!((shown - exact).abs() <= 1e-6 * exact, "{shown} {exact}");
+        let arithmetic = accuracy["arithmetic"]["depth"]["world"]["rms"].as_f64();
+        assert!(arithmetic.is_some_and(|rms| rms > 0.0));
+        assert_eq!(budget["figures"][rms].as_f64(), arithmetic);
         let snap = accuracy["snap"]["misclassified"].as_f64();
         assert_eq!(budget["figures"][snapped].as_f64(), snap);
     }

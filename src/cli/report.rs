@@ -7,6 +7,7 @@ mod shell;
 use super::explore::figure;
 use super::failure::Failure;
 use super::progress;
+pub(crate) use data::unit;
 use guardbit::explore::metric::Metric;
 use guardbit::explore::record::Record;
 use guardbit::explore::sweep::Sweep;
@@ -52,6 +53,11 @@ pub(crate) struct Page<'a> {
 fn escaped(text: &str) -> String {
     let text = text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     text.replace('"', "&quot;")
+}
+
+/// So many of something.
+pub(crate) fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// The template with each `@KEY@` replaced, in one pass: what was put in is not searched again.
@@ -116,7 +122,7 @@ impl Page<'_> {
         let scenes: Vec<String> = sweep
             .scenes
             .iter()
-            .map(|scene| format!("{} ({} triangles)", scene.name, scene.triangles.len()))
+            .map(|scene| format!("{} ({})", scene.name, counted(scene.triangles.len(), "triangle")))
             .collect();
         let samples = || records.iter().map(|record| record.accuracy.samples);
         let (least, most) = (samples().min().unwrap_or(0), samples().max().unwrap_or(0));
@@ -143,7 +149,8 @@ impl Page<'_> {
             ("Samples covered", samples),
             ("Window", format!("{} × {} pixels", base.window.width, base.window.height)),
             ("Varied", axes.collect::<Vec<_>>().join("; ")),
-            ("Budgets", format!("{}{of}, {front} on the Pareto front", records.len())),
+            ("Budgets", format!("{}{of}", records.len())),
+            ("On the Pareto front", front.to_string()),
             ("Pareto objectives", objectives.join(", ")),
             ("Model", format!("version {MODEL_VERSION}, guardbit {}", env!("CARGO_PKG_VERSION"))),
         ];
@@ -247,7 +254,7 @@ impl Page<'_> {
 /// What the colours of a map stand for.
 fn scale_bar(map: &Map) -> String {
     if map.worst == 0.0 {
-        return "<p>No depth error: blue is covered and right.</p>".to_owned();
+        return "<p class=\"note\">Blue is covered, and without depth error.</p>".to_owned();
     }
     let stops: Vec<String> =
         map::colours().step_by(9).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();

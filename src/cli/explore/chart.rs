@@ -2,6 +2,7 @@
 
 use super::{Metric, Record, Sweep};
 use crate::cli::plot::{Chart, Series};
+use crate::cli::report::{counted, unit};
 
 /// What a chart shows where nothing is named: what accuracy costs.
 pub(crate) fn default_axes(records: &[Record]) -> [Metric; 2] {
@@ -50,13 +51,12 @@ pub(super) fn chart(
     let (log_x, log_y) = (wide(points().map(|p| p.0)), wide(points().map(|p| p.1)));
     let world = records.first().map_or("", |record| &record.accuracy.world);
     let label = |metric: Metric| {
-        let unit = if metric.unit == "world" { world } else { metric.unit };
         let cause = match metric {
             metric if metric.name.starts_with("snap-") => "snap error: ",
             metric if metric.is_accuracy() => "arithmetic error: ",
             _ => "",
         };
-        format!("{cause}{}, {unit}", metric.about)
+        format!("{cause}{}, {}", metric.about, unit(&metric, world))
     };
     let base = sweep.space.base();
     let scenes: Vec<&str> = sweep.scenes.iter().map(|scene| &*scene.name).collect();
@@ -70,9 +70,9 @@ pub(super) fn chart(
         log_y,
         line: false,
         caption: format!(
-            "{} budgets of profile {} on {}, window {} x {}. Filled: the {front} on the Pareto \
+            "{} of profile {} on {}, window {} x {}. Filled: the {front} on the Pareto \
              front of {}; hollow: beaten. Lower and further left is better.",
-            records.len(),
+            counted(records.len(), "budget"),
             base.name,
             scenes.join(", "),
             base.window.width,

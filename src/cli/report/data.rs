@@ -63,13 +63,16 @@ fn synthesised(record: &Record) -> [Option<f64>; 3] {
     .map(|figure| figure.map(f64::from))
 }
 
-/// What the page calls a figure's unit.
-pub(super) fn unit<'a>(metric: &Metric, world: &'a str) -> &'a str {
+/// What a reader is told of a figure's unit.
+pub(crate) fn unit<'a>(metric: &Metric, world: &'a str) -> &'a str {
     match metric.unit {
-        "world" => world,
+        "world" => match world {
+            "mesh unit" => "mesh units",
+            "depth range" => "of the depth range",
+            mixed => mixed,
+        },
         "um2" => "µm²",
         "range" => "of the range",
-        "a fragment" => "operations a fragment",
         unit => unit,
     }
 }
@@ -116,18 +119,13 @@ pub(super) fn read(record: &Record, name: &str) -> Option<f64> {
     }
 }
 
-/// Seven digits: a chart shows fewer, and a page of hundreds of budgets stays small.
-fn short(value: f64) -> f64 {
-    format!("{value:.6e}").parse().unwrap_or(value)
-}
-
 /// The block as text that cannot end the element it stands in.
 pub(super) fn block(page: &Page) -> String {
     let metrics = figures(page.records);
     let budgets = page.records.iter().map(|record| Budget {
         index: record.index,
         fields: &record.budget,
-        figures: metrics.iter().map(|m| read(record, m.name).map(short)).collect(),
+        figures: metrics.iter().map(|m| read(record, m.name)).collect(),
         pareto: record.pareto,
     });
     let data = Data {
