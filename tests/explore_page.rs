@@ -201,6 +201,27 @@ fn maps_are_as_many_as_asked_for_and_as_large_as_the_window() {
 }
 
 #[test]
+fn a_budget_without_a_map_gets_one_by_the_command_shown() {
+    let home = tempfile::tempdir().unwrap();
+    run_in(home.path(), &format!("{SPACE} --html a.html --maps 0")).ends(0);
+    let all = data(&std::fs::read_to_string(home.path().join("a.html")).unwrap());
+    let wanted = &all["budgets"][4];
+    // What the page's script appends: each varied field at the budget's value.
+    let mut line = all["single"].as_str().unwrap().strip_prefix("guardbit ").unwrap().to_owned();
+    for name in all["varied"].as_array().unwrap() {
+        let name = name.as_str().unwrap();
+        line = format!("{line} --vary {name}={}", wanted["fields"][name]);
+    }
+    run_in(home.path(), &format!("{line} --no-speed --maps 1 --html one.html")).ends(0);
+    let page = std::fs::read_to_string(home.path().join("one.html")).unwrap();
+    let one = data(&page);
+    assert_eq!(one["budgets"].as_array().unwrap().len(), 1);
+    assert_eq!(one["budgets"][0]["fields"], wanted["fields"]);
+    assert_eq!(one["budgets"][0]["figures"], wanted["figures"], "the same scene and window");
+    assert_eq!(page.matches("src=\"data:image/png").count(), 1);
+}
+
+#[test]
 fn what_cannot_be_is_refused_before_anything_is_measured() {
     let home = tempfile::tempdir().unwrap();
     for (more, status, about) in [
