@@ -13,6 +13,7 @@ mod profile;
 mod progress;
 mod prove;
 mod render;
+mod report;
 mod sets;
 mod speed;
 mod trace;

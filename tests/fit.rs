@@ -3,12 +3,13 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::case::Words;
-use guardbit::explore::fit::{Lesser, Request, Tolerance, exhaustive, fit, least};
+use guardbit::explore::fit::{Lesser, Request, exhaustive, fit, least};
 use guardbit::explore::metric::Metric;
 use guardbit::explore::pareto;
 use guardbit::explore::record::Record;
 use guardbit::explore::space::{Axis, Point, Space, SpaceError};
 use guardbit::explore::sweep::{Found, Sweep};
+use guardbit::explore::tolerance::Tolerance;
 use guardbit::measure::accuracy::{Reference, What};
 use guardbit::model::{Drawing, Model};
 use guardbit::profile::{Profile, WindowConfig, load, parse};

@@ -1,13 +1,17 @@
 //! `guardbit explore`: what each bit buys on these scenes, and what it costs.
 
+mod chart;
 mod extremes;
+mod files;
 mod session;
+mod synthesis;
 mod table;
 
 use super::Outcome;
 use super::failure::Failure;
 use super::output::Output;
 use super::vectors::parse_shard;
+use files::FileArguments;
 use guardbit::explore::field::Field;
 use guardbit::explore::metric::{self, Metric};
 use guardbit::explore::pareto;
@@ -22,7 +26,7 @@ use guardbit::vector::plan::Shard;
 use session::Session;
 use std::io::Write;
 use std::path::PathBuf;
-pub(crate) use table::{figure, help as columns_help};
+pub(crate) use table::{FIGURES, figure, help as columns_help};
 
 /// Measure every budget of a space on scenes: accuracy, hardware cost, software speed, Pareto front.
 ///
@@ -60,6 +64,8 @@ pub(crate) struct Arguments {
     /// Print every budget in the table, not the Pareto front alone.
     #[arg(long)]
     all: bool,
+    #[command(flatten)]
+    files: FileArguments,
 }
 
 /// What `explore` and `fit` search, and on what.
@@ -165,13 +171,17 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         arguments.objectives.clone()
     };
-    let session = Session::new(&sweep, super::vectors::threads(arguments.space.threads));
+    arguments.files.check()?;
+    let threads = super::vectors::threads(arguments.space.threads);
+    let session = Session::new(&sweep, threads);
     let mut records: Vec<Record> = if arguments.merge.is_empty() {
         session.measure(arguments.save.as_deref(), arguments.shard, !arguments.no_speed)?
     } else {
         session.merge(&arguments.merge)?
     };
     pareto::mark(&mut records, &objectives);
+    arguments.files.synthesise(&sweep, &mut records, threads)?;
+    arguments.files.write(&arguments.space, &sweep, &records, &objectives)?;
     let mut output = Output::new();
     if arguments.json {
         output.line("[")?;

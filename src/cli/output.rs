@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use std::fs::File;
 use std::io::{BufWriter, StdoutLock, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The locked writer of a command.
 pub(crate) struct Output(BufWriter<StdoutLock<'static>>);
@@ -37,6 +37,27 @@ impl Output {
     }
 }
 
+/// Where a file is written until it is whole.
+fn aside(path: &Path) -> PathBuf {
+    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    path.with_file_name(format!(".{name}.partial-{}", std::process::id()))
+}
+
+/// Whether [`write_whole`] will have a place to write to, found out by trying; nothing is left.
+pub(crate) fn check_place(path: &Path) -> Result<(), Failure> {
+    let failed = |error: &std::io::Error| Failure::io(&path.display().to_string(), error);
+    match std::fs::metadata(path) {
+        Ok(there) if there.is_dir() => Err(failed(&std::io::ErrorKind::IsADirectory.into())),
+        Ok(there) if !there.is_file() => Ok(()),
+        _ => {
+            let aside = aside(path);
+            File::create(&aside)
+                .and_then(|_| std::fs::remove_file(&aside))
+                .map_err(|error| failed(&error))
+        }
+    }
+}
+
 /// Writes a file aside and renames it when it is whole: nothing is left half-written.
 pub(crate) fn write_whole(
     path: &Path,
@@ -48,8 +69,7 @@ pub(crate) fn write_whole(
             .and_then(|file| write(BufWriter::new(file)))
             .map_err(|error| Failure::io(&path.display().to_string(), &error));
     }
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    let aside = path.with_file_name(format!(".{name}.partial-{}", std::process::id()));
+    let aside = aside(path);
     let result = File::create(&aside)
         .and_then(|file| write(BufWriter::new(file)))
         .and_then(|()| std::fs::rename(&aside, path));

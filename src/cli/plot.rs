@@ -5,6 +5,7 @@ mod axis;
 use axis::Axis;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
+use std::iter::repeat;
 
 /// The points of one colour.
 #[derive(Clone, Debug, Default)]
@@ -15,6 +16,8 @@ pub(crate) struct Series {
     pub(crate) points: Vec<(f64, f64)>,
     /// A word beside each point; missing ones are left out.
     pub(crate) labels: Vec<String>,
+    /// Whether a point is drawn as a ring and not filled; missing ones are filled.
+    pub(crate) hollow: Vec<bool>,
 }
 
 /// A chart.
@@ -39,6 +42,8 @@ pub(crate) struct Chart {
 }
 
 const SIZE: (u32, u32) = (960, 600);
+/// Lines that a legend has room for.
+const LEGEND: usize = 18;
 /// Heights of text as the library takes them; it writes 1 / 1.24 of them as the font size.
 const TITLE: i32 = 25;
 const TEXT: i32 = 18;
@@ -55,6 +60,14 @@ const COLOURS: [RGBColor; 7] = [
     RGBColor(86, 180, 233),
     RGBColor(230, 159, 0),
     RGBColor(70, 70, 70),
+];
+/// Dark to light in even steps, for more series than there are colours: their order then shows.
+const RAMP: [RGBColor; 5] = [
+    RGBColor(68, 1, 84),
+    RGBColor(59, 82, 139),
+    RGBColor(33, 145, 140),
+    RGBColor(94, 201, 98),
+    RGBColor(222, 200, 20),
 ];
 const INK: RGBColor = RGBColor(40, 40, 40);
 const PALE: RGBColor = RGBColor(100, 100, 100);
@@ -119,8 +132,8 @@ fn draw<'a>(chart: &Chart, backend: SVGBackend<'a>) -> Drawn<'a> {
     }
     let mut words = Vec::new();
     for (n, series) in chart.series.iter().enumerate() {
-        let colour = COLOURS[n % COLOURS.len()];
-        let labels = series.labels.iter().map(String::as_str).chain(std::iter::repeat(""));
+        let colour = colour(n, chart.series.len());
+        let labels = series.labels.iter().map(String::as_str).chain(repeat(""));
         let points = series.points.iter().zip(labels).filter(|(point, _)| fits(point));
         let points: Vec<_> =
             points.map(|((x, y), label)| ((x_axis.place(*x), y_axis.place(*y)), label)).collect();
@@ -128,7 +141,12 @@ fn draw<'a>(chart: &Chart, backend: SVGBackend<'a>) -> Drawn<'a> {
         if chart.line {
             plot.draw_series(LineSeries::new(places.clone(), colour.stroke_width(2)))?;
         }
-        plot.draw_series(places.map(|place| Circle::new(place, 4, colour.filled())))?;
+        let rings = series.points.iter().zip(series.hollow.iter().copied().chain(repeat(false)));
+        let rings = rings.filter(|(point, _)| fits(point)).map(|(_, ring)| ring);
+        plot.draw_series(places.zip(rings).map(|(place, ring)| {
+            let style = if ring { colour.stroke_width(1) } else { colour.filled() };
+            Circle::new(place, 4, style)
+        }))?;
         for (place, label) in points.iter().filter(|(_, label)| !label.is_empty()) {
             let (x, y) = plot.backend_coord(place);
             // Above the point, or below it where another word stands already.
@@ -142,6 +160,21 @@ fn draw<'a>(chart: &Chart, backend: SVGBackend<'a>) -> Drawn<'a> {
         }
     }
     area.present()
+}
+
+/// The colour of one of so many series.
+fn colour(n: usize, count: usize) -> RGBColor {
+    if count <= COLOURS.len() {
+        return COLOURS[n];
+    }
+    let (steps, scaled) = (count - 1, n * (RAMP.len() - 1));
+    let (below, part) = (scaled / steps, scaled % steps);
+    let above = (below + 1).min(RAMP.len() - 1);
+    let mix = |channel: fn(&RGBColor) -> u8| {
+        let [from, to] = [below, above].map(|n| usize::from(channel(&RAMP[n])));
+        u8::try_from((from * (steps - part) + to * part) / steps).unwrap_or(u8::MAX)
+    };
+    RGBColor(mix(|c| c.0), mix(|c| c.1), mix(|c| c.2))
 }
 
 /// Room right of the plot; a single series needs no legend.
@@ -161,8 +194,14 @@ fn draw_legend<'a>(
     if chart.series.len() < 2 {
         return Ok(());
     }
-    for (n, (series, y)) in chart.series.iter().zip((72..).step_by(24)).enumerate() {
-        let colour = COLOURS[n % COLOURS.len()];
+    let count = chart.series.len();
+    let most = if count > LEGEND { LEGEND - 1 } else { count };
+    if let (true, Some(y)) = (count > most, (72..).step_by(24).nth(most)) {
+        let style = text(TEXT, PALE, HPos::Left, VPos::Center);
+        area.draw_text(&format!("and {} more", count - most), &style, (left + 48, y))?;
+    }
+    for (n, (series, y)) in chart.series.iter().zip((72..).step_by(24)).enumerate().take(most) {
+        let colour = colour(n, count);
         if chart.line {
             let ends = vec![(left + 16, y), (left + 40, y)];
             area.draw(&PathElement::new(ends, colour.stroke_width(2)))?;

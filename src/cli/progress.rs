@@ -3,17 +3,22 @@
 use guardbit::vector::write::Monitor;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
-/// A monitor that Ctrl-C cancels.
+/// The monitor that Ctrl-C cancels: one for the process, which has one handler.
 pub(crate) fn monitor() -> Arc<Monitor> {
-    let monitor = Arc::new(Monitor::default());
-    let handle = Arc::clone(&monitor);
-    // Without a handler Ctrl-C ends the process at once: worse, but no reason to refuse the work.
-    let _ = ctrlc::set_handler(move || handle.cancel.store(true, Ordering::Relaxed));
-    monitor
+    static MONITOR: OnceLock<Arc<Monitor>> = OnceLock::new();
+    let monitor = MONITOR.get_or_init(|| {
+        let monitor = Arc::new(Monitor::default());
+        let handle = Arc::clone(&monitor);
+        // Without a handler Ctrl-C ends the process at once: worse, but no reason to refuse the
+        // work.
+        let _ = ctrlc::set_handler(move || handle.cancel.store(true, Ordering::Relaxed));
+        monitor
+    });
+    Arc::clone(monitor)
 }
 
 /// Runs `work` while its time and a byte counter show, if standard error is a terminal.

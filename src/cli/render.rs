@@ -53,11 +53,13 @@ enum Show {
     Error,
 }
 
-type Colour = [u8; 3];
+pub(crate) type Colour = [u8; 3];
 
 /// Stands for a sample that only the model covers: beyond any depth error.
 const EXTRA: f64 = f64::MAX;
-const BACKGROUND: Colour = [24, 26, 32];
+pub(crate) const BACKGROUND: Colour = [24, 26, 32];
+pub(crate) const MISSING_COLOUR: Colour = [255, 255, 255];
+pub(crate) const EXTRA_COLOUR: Colour = [255, 0, 255];
 
 /// Pixels of a picture, with the nearest depth of each.
 struct Canvas {
@@ -246,8 +248,8 @@ fn colour(show: Show, canvas: &mut Canvas) {
             for (pixel, worst) in canvas.colour.iter_mut().zip(&canvas.worst) {
                 *pixel = match worst {
                     None => BACKGROUND,
-                    Some(worst) if worst.is_infinite() => [255, 255, 255],
-                    Some(worst) if *worst >= EXTRA => [255, 0, 255],
+                    Some(worst) if worst.is_infinite() => MISSING_COLOUR,
+                    Some(worst) if *worst >= EXTRA => EXTRA_COLOUR,
                     Some(worst) => heat(worst / scale),
                 };
             }

@@ -10,7 +10,9 @@ mod operations;
 mod synthesis;
 
 pub use operations::{Count, Operations};
-pub use synthesis::{Source, Synthesis, SynthesisError, UnitSynthesis, YOSYS, sources, synthesise};
+pub use synthesis::{
+    Source, Synthesis, SynthesisError, UnitSynthesis, YOSYS, sources, synthesise, synthesise_unit,
+};
 
 use crate::cover::{EdgeStorage, EdgeWordConfig, SampleGrid};
 use crate::format::Clamp;

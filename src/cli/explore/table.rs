@@ -2,9 +2,28 @@
 
 use super::{Failure, Field, Metric, Outcome, Output, Record, Sweep};
 use guardbit::explore::metric;
+use guardbit::measure::cost::Synthesis;
+
+/// Figures of a synthesis tool, which only some sweeps have, and their units.
+const SYNTHESISED: [(&str, &str); 3] =
+    [("luts", "LUT4"), ("flip-flops", ""), ("longest-path", "nodes")];
+
+fn synthesised(record: &Record) -> Vec<String> {
+    let figures = |s: &Synthesis| [s.luts, s.flip_flops, s.longest_path].map(|n| n.to_string());
+    record.synthesis.as_ref().map(figures).map_or_else(Vec::new, Vec::from)
+}
+
+/// The names or units of the figures, where any record has them.
+fn synthesis_heads<'a>(
+    records: &[Record],
+    part: fn(&(&'a str, &'a str)) -> &'a str,
+) -> Vec<&'a str> {
+    let any = records.iter().any(|record| record.synthesis.is_some());
+    if any { SYNTHESISED.iter().map(part).collect() } else { Vec::new() }
+}
 
 /// Figures that a table has beside the varied fields and the objectives.
-const FIGURES: [&str; 9] = [
+pub(crate) const FIGURES: [&str; 9] = [
     "area",
     "delay-prefix",
     "snap-misclassified",
@@ -33,10 +52,11 @@ pub(super) fn print(
     figures.retain(|metric| records.iter().any(|record| metric.of(record).is_some()));
     let varied: Vec<&str> = sweep.space.axes().iter().map(|axis| axis.field.name()).collect();
     let named = varied.iter().copied().chain(["edge-bits", "depth-bits"]);
-    let mut rows = vec![
+    let mut rows: Vec<Vec<String>> = vec![
         named
             .clone()
             .chain(figures.iter().map(|m| m.name))
+            .chain(synthesis_heads(records, |head| head.0))
             .chain([""])
             .map(str::to_owned)
             .collect(),
@@ -44,16 +64,19 @@ pub(super) fn print(
             .clone()
             .map(|_| "")
             .chain(figures.iter().map(|m| m.unit))
+            .chain(synthesis_heads(records, |head| head.1))
             .chain([""])
             .map(str::to_owned)
             .collect(),
     ];
     let front = records.iter().filter(|record| record.pareto).count();
+    let counted = synthesis_heads(records, |head| head.0).len();
     for record in records.iter().filter(|record| all || record.pareto) {
         let fields = named.clone().map(|name| field(record, name));
         let numbers = figures.iter().map(|metric| metric.of(record).map_or("-".to_owned(), figure));
+        let cells = padded(synthesised(record), counted, "-");
         let mark = if record.pareto { "*" } else { "" };
-        rows.push(fields.chain(numbers).chain([mark.to_owned()]).collect::<Vec<String>>());
+        rows.push(fields.chain(numbers).chain(cells).chain([mark.to_owned()]).collect());
     }
     for line in columns(&rows) {
         output.line(line)?;
@@ -66,6 +89,12 @@ pub(super) fn print(
         names.join(", "),
         records.first().map_or("", |record| &record.accuracy.world)
     ))
+}
+
+/// Cells, filled up where there are fewer than columns.
+fn padded(mut cells: Vec<String>, columns: usize, blank: &str) -> Vec<String> {
+    cells.resize(columns, blank.to_owned());
+    cells
 }
 
 fn field(record: &Record, name: &str) -> String {
@@ -110,7 +139,9 @@ pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure
     };
     let metrics: Vec<Metric> = metric::all().collect();
     let names = fields.iter().copied().chain(metrics.iter().map(|metric| metric.name));
-    let header: Vec<&str> = ["index"].into_iter().chain(names).chain(["pareto"]).collect();
+    let counted = synthesis_heads(records, |head| head.0);
+    let header: Vec<&str> =
+        ["index"].into_iter().chain(names).chain(counted.clone()).chain(["pareto"]).collect();
     output.line(header.join(","))?;
     for record in records {
         let cells = fields.iter().map(|name| field(record, name));
@@ -120,6 +151,7 @@ pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure
             .into_iter()
             .chain(cells)
             .chain(numbers)
+            .chain(padded(synthesised(record), counted.len(), ""))
             .chain([record.pareto.to_string()])
             .collect();
         output.line(row.join(","))?;

@@ -9,7 +9,7 @@ fn chart(points: &[(f64, f64)], log: bool) -> Chart {
         y_label: "time, ns".to_owned(),
         log_x: log,
         log_y: log,
-        series: vec![Series { name: "s".to_owned(), points: points.to_vec(), labels: vec![] }],
+        series: vec![Series { name: "s".to_owned(), points: points.to_vec(), ..Series::default() }],
         line: true,
         caption: "a caption".to_owned(),
     }
@@ -70,4 +70,28 @@ fn long_captions_are_wrapped() {
     assert_eq!(wrap("one two three", 7), ["one two", "three"]);
     assert_eq!(wrap("", 7), [""; 0]);
     assert_eq!(wrap("unbreakable", 3), ["unbreakable"]);
+}
+
+#[test]
+fn many_series_keep_their_order_and_their_legend_its_room() {
+    let mut chart = chart(&[(1.0, 1.0)], false);
+    chart.series =
+        (0..40).map(|n| Series { name: format!("series {n}."), ..Series::default() }).collect();
+    let text = svg(&chart);
+    assert!(text.contains("series 16.") && !text.contains("series 17."));
+    assert!(text.contains("and 23 more"), "17 of 40 are named");
+    for count in [8, 11, 40] {
+        let light = |n| colour(n, count).to_rgba().rgb();
+        let sum = |(r, g, b): (u8, u8, u8)| u32::from(r) + 2 * u32::from(g) + u32::from(b);
+        assert!((1..count).all(|n| sum(light(n)) > sum(light(n - 1))), "{count}");
+    }
+}
+
+#[test]
+fn rings_and_dots_are_told_apart() {
+    let mut chart = chart(&[(1.0, 1.0), (2.0, 2.0), (3.0, 3.0)], false);
+    chart.series[0].hollow = vec![true, false];
+    let text = svg(&chart);
+    let rings = text.split("<circle").skip(1).filter(|circle| circle.contains("fill=\"none\""));
+    assert_eq!((rings.count(), circles(&text)), (1, 3));
 }

@@ -113,22 +113,35 @@ pub fn synthesise(
     yosys: &Path,
     limit: Duration,
 ) -> Result<Synthesis, SynthesisError> {
-    let units = sources(profile)?
-        .iter()
-        .map(|source| run(source, yosys, limit))
-        .collect::<Result<Vec<_>, _>>()?;
-    let sum = |figure: fn(&UnitSynthesis) -> u32| {
-        units.iter().map(|unit| unit.copies * figure(unit)).sum()
-    };
-    Ok(Synthesis {
-        luts: sum(|unit| unit.luts),
-        flip_flops: sum(|unit| unit.flip_flops),
-        longest_path: units.iter().map(|unit| unit.longest_path).max().unwrap_or(0),
-        units,
-    })
+    let sources = sources(profile)?;
+    let units = sources.iter().map(|source| synthesise_unit(source, yosys, limit));
+    Ok(Synthesis::new(units.collect::<Result<_, _>>()?))
 }
 
-fn run(source: &Source, yosys: &Path, limit: Duration) -> Result<UnitSynthesis, SynthesisError> {
+impl Synthesis {
+    /// The figures of all units from those of each.
+    pub fn new(units: Vec<UnitSynthesis>) -> Self {
+        let sum = |figure: fn(&UnitSynthesis) -> u32| {
+            units.iter().map(|unit| unit.copies * figure(unit)).sum()
+        };
+        Self {
+            luts: sum(|unit| unit.luts),
+            flip_flops: sum(|unit| unit.flip_flops),
+            longest_path: units.iter().map(|unit| unit.longest_path).max().unwrap_or(0),
+            units,
+        }
+    }
+}
+
+/// One unit of [`sources`] as in [`synthesise`]: for callers whose profiles share units.
+///
+/// # Errors
+/// As for [`synthesise`].
+pub fn synthesise_unit(
+    source: &Source,
+    yosys: &Path,
+    limit: Duration,
+) -> Result<UnitSynthesis, SynthesisError> {
     let folder = Folder::new()?;
     let path = |name: &str| folder.0.join(name);
     let io = |path: &Path| {

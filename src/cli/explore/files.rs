@@ -1,0 +1,91 @@
+//! What `explore` makes beside its output: a page, a chart, counted cells.
+
+use super::chart::{chart, default_axes};
+use super::{Failure, Metric, Record, SpaceArguments, Sweep, Write, parse_metric, synthesis};
+use crate::cli::output::{check_place, write_whole};
+use crate::cli::plot::svg;
+use crate::cli::report::{Page, command_line, quoted};
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, clap::Args)]
+pub(super) struct FileArguments {
+    /// Write one page with charts, table and error maps into FILE: open it in any browser.
+    #[arg(long, value_name = "FILE")]
+    html: Option<PathBuf>,
+    /// Budgets of the Pareto front that get an error map in the page, 0 to 16.
+    #[arg(long, value_name = "N", default_value_t = 4, requires = "html",
+          value_parser = clap::value_parser!(u8).range(0..=16))]
+    maps: u8,
+    /// Draw one chart into this SVG file, a series a value of the first varied field.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+    /// What the chart has on x; area by default.
+    #[arg(long, value_name = "METRIC", requires = "svg", value_parser = parse_metric)]
+    x: Option<Metric>,
+    /// What the chart has on y; depth-rms-world by default.
+    #[arg(long, value_name = "METRIC", requires = "svg", value_parser = parse_metric)]
+    y: Option<Metric>,
+    /// Count the cells of the Pareto front's units with yosys.
+    #[arg(long)]
+    synth: bool,
+}
+
+impl FileArguments {
+    /// Fails now where it would fail in the end: after a sweep of hours that is too late.
+    pub(super) fn check(&self) -> Result<(), Failure> {
+        for path in [&self.html, &self.svg].into_iter().flatten() {
+            check_place(path)?;
+        }
+        if self.synth { synthesis::check() } else { Ok(()) }
+    }
+
+    /// Adds counted cells to marked records.
+    pub(super) fn synthesise(
+        &self,
+        sweep: &Sweep,
+        records: &mut [Record],
+        threads: usize,
+    ) -> Result<(), Failure> {
+        if self.synth { synthesis::add(sweep, records, threads) } else { Ok(()) }
+    }
+
+    /// Writes the files that were asked for.
+    pub(super) fn write(
+        &self,
+        space: &SpaceArguments,
+        sweep: &Sweep,
+        records: &[Record],
+        objectives: &[Metric],
+    ) -> Result<(), Failure> {
+        let axes = default_axes(records);
+        if let Some(path) = &self.svg {
+            let named = [self.x.unwrap_or(axes[0]), self.y.unwrap_or(axes[1])];
+            write_text(path, &svg(&chart(sweep, records, objectives, named)))?;
+        }
+        if let Some(path) = &self.html {
+            let (maps, command, single) = (self.maps.into(), command_line(), single(space));
+            let page = Page { sweep, records, objectives, axes, maps, command, single };
+            write_text(path, &page.html()?)?;
+        }
+        Ok(())
+    }
+}
+
+fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    write_whole(path, |mut file| {
+        file.write_all(text.as_bytes())?;
+        file.flush()
+    })
+}
+
+/// The command that measures one budget of a space, up to the fields of that budget.
+fn single(space: &SpaceArguments) -> String {
+    let mut words = vec!["guardbit".to_owned(), "explore".to_owned(), quoted(&space.profile)];
+    for scene in &space.scenes {
+        words.extend(["--scene".to_owned(), quoted(scene)]);
+    }
+    if let Some((width, height)) = space.window {
+        words.extend(["--window".to_owned(), format!("{width}x{height}")]);
+    }
+    words.join(" ")
+}

@@ -1,0 +1,176 @@
+//! Trials that need a program from outside. Where it is missing they count as ignored, with the
+//! reason in their name; with `GUARDBIT_REQUIRE_TOOLS=1` a missing program is a failure.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+#[path = "support/run.rs"]
+mod run;
+
+use guardbit::measure::cost::{YOSYS, estimate, synthesise};
+use guardbit::profile;
+use libtest_mimic::{Arguments, Failed, Trial};
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// A program that this crate does not bring.
+struct Tool {
+    name: &'static str,
+    /// The names it may have on the search path.
+    programs: &'static [&'static str],
+    /// What asks it for its version.
+    version: &'static str,
+    /// What to install.
+    package: &'static str,
+}
+
+const CHROMIUM: Tool = Tool {
+    name: "chromium",
+    programs: &["chromium", "chromium-browser", "google-chrome"],
+    version: "--version",
+    package: "chromium",
+};
+const SYNTHESIS: Tool = Tool { name: "yosys", programs: &[YOSYS], version: "-V", package: "yosys" };
+
+impl Tool {
+    /// The first of its programs that this machine has.
+    fn program(&self) -> Option<&'static str> {
+        self.programs.iter().copied().find(|program| {
+            let mut command = Command::new(program);
+            command.arg(self.version).stdin(Stdio::null());
+            command.output().is_ok_and(|output| output.status.success())
+        })
+    }
+
+    /// A trial that is run with the tool's program.
+    fn trial(&self, name: &str, test: fn(&str)) -> Trial {
+        let Some(program) = self.program() else {
+            let reason = format!("{} is missing: apt-get install {}", self.name, self.package);
+            let required = std::env::var_os("GUARDBIT_REQUIRE_TOOLS").is_some_and(|v| v == "1");
+            let name = format!("{name} ({reason})");
+            return Trial::test(name, || Err(Failed::from(reason))).with_ignored_flag(!required);
+        };
+        Trial::test(name, move || {
+            test(program);
+            Ok(())
+        })
+    }
+}
+
+fn main() {
+    let trials = vec![
+        CHROMIUM.trial("a_browser_draws_the_page_and_clicks_through_it", page_of_two_fields),
+        CHROMIUM.trial("a_page_of_one_budget_is_no_special_case", page_of_one_budget),
+        CHROMIUM.trial("a_page_without_depth_is_no_special_case", page_without_depth),
+        SYNTHESIS.trial("every_built_in_profile_is_synthesised", profiles_are_synthesised),
+        SYNTHESIS.trial("a_sweep_counts_the_cells_of_its_front", sweep_is_synthesised),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}
+
+fn page_of_two_fields(chromium: &str) {
+    let space = "--scene terrain --window 160x120 --vary sub-pixel=4,8 --vary interpolation=3..6 \
+                 --vary rounding=floor,nearest-even";
+    let dom = click_through(chromium, "sgi-4k", space, 16);
+    // Four maps are the default; the selected budget's is shown twice.
+    assert_eq!(dom.matches("src=\"data:image/png").count(), 5, "maps");
+}
+
+fn page_of_one_budget(chromium: &str) {
+    click_through(chromium, "tiny", "--scene triangle --vary guard=1", 1);
+}
+
+fn page_without_depth(chromium: &str) {
+    let space = "--scene fan --window 64x48 --vary walk-fraction=2..4";
+    click_through(chromium, "flat.toml", space, 3);
+}
+
+/// Makes a page, lets a browser click through it, and gives the document that came of it.
+fn click_through(chromium: &str, profile: &str, space: &str, budgets: usize) -> String {
+    let home = tempfile::tempdir().unwrap();
+    let walk = run::run_in(home.path(), "profile show sgi-4k-walk").ends(0).out;
+    let (before, _) = walk.split_once("[depth]").unwrap();
+    std::fs::write(home.path().join("flat.toml"), before).unwrap();
+    run::run_in(home.path(), &format!("explore {profile} {space} --no-speed --html page.html"))
+        .ends(0);
+    let page = home.path().join("page.html");
+    assert!(page.metadata().unwrap().len() < 2_000_000, "a page stays small");
+    let output = browse(chromium, home.path(), &format!("file://{}#selftest", page.display()));
+    let dom = String::from_utf8_lossy(&output.stdout).into_owned();
+    let log = String::from_utf8_lossy(&output.stderr);
+    let console: Vec<&str> = log.lines().filter(|line| line.contains("CONSOLE")).collect();
+    assert!(console.is_empty(), "{console:#?}");
+    let head = &dom[dom.find("<html").unwrap()..][..400.min(dom.len())];
+    let head = &head[..head.find('>').unwrap()];
+    for (attribute, value) in [("ready", &*budgets.to_string()), ("selftest", "passed")] {
+        assert!(
+            head.contains(&format!("data-{attribute}=\"{value}\"")),
+            "{attribute}: {head}\n{log}"
+        );
+    }
+    assert!(!head.contains("data-errors"), "{head}");
+    let points = dom.matches("<circle class=\"point\"").count();
+    assert_eq!(points, budgets, "a point a budget");
+    dom
+}
+
+fn browse(chromium: &str, home: &Path, address: &str) -> std::process::Output {
+    let mut command = Command::new(chromium);
+    command.args([
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--enable-logging=stderr",
+        "--v=0",
+        "--window-size=1400,1000",
+        "--virtual-time-budget=20000",
+        "--dump-dom",
+    ]);
+    command.arg(format!("--user-data-dir={}", home.join("browser").display())).arg(address);
+    command.stdin(Stdio::null()).output().unwrap()
+}
+
+fn profiles_are_synthesised(yosys: &str) {
+    for (name, _) in profile::BUILTIN {
+        let profile = profile::load(name).unwrap();
+        let found = synthesise(&profile, Path::new(yosys), Duration::from_mins(2)).unwrap();
+        // Registers are what the estimate counts as well; tables have no count of ours to meet.
+        assert_eq!(found.flip_flops, estimate(&profile).unwrap().register_bits, "{name}");
+        for unit in &found.units {
+            assert!(
+                unit.luts > 0 && unit.flip_flops > 0 && unit.longest_path > 0,
+                "{name} {unit:?}"
+            );
+        }
+    }
+}
+
+fn sweep_is_synthesised(_: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let space = "explore tiny --scene triangle --vary guard=0..1 --no-speed --synth";
+    let ran = run::run_in(home.path(), &format!("{space} --json --html page.html")).ends(0);
+    let records: Vec<serde_json::Value> = serde_json::from_str(&ran.out).unwrap();
+    assert_eq!(records.len(), 2);
+    for record in &records {
+        let (found, bits) = (&record["synthesis"], &record["cost"]["register_bits"]);
+        if record["pareto"] == true {
+            assert_eq!(found["flip_flops"], *bits);
+            assert_eq!(found["units"].as_array().unwrap().len(), 2);
+        } else {
+            assert!(found.is_null());
+        }
+    }
+    assert!(records.iter().any(|record| record["pareto"] == true));
+    let page = std::fs::read_to_string(home.path().join("page.html")).unwrap();
+    assert!(page.contains("\"longest-path\""), "the page offers the figures");
+    let table = run::run_in(home.path(), space).ends(0).out;
+    assert!(table.lines().next().unwrap().contains("luts  flip-flops  longest-path"), "{table}");
+    let csv = run::run_in(home.path(), &format!("{space} --csv")).ends(0).out;
+    assert!(csv.lines().next().unwrap().ends_with(",luts,flip-flops,longest-path,pareto"), "{csv}");
+    let columns: Vec<usize> = csv.lines().map(|line| line.split(',').count()).collect();
+    assert!(columns.windows(2).all(|pair| pair[0] == pair[1]), "{columns:?}");
+}
