@@ -35,8 +35,9 @@ pub(super) fn all(profile: &Profile) -> Vec<Push> {
 /// Vertices in sub-pixels, and their depths.
 type Given = ([[i128; 2]; 3], Option<[i128; 3]>);
 
-/// The window in sub-pixels, as far as vertices go.
+/// The window in sub-pixels, as far as vertices go, and the vertex field.
 struct Grid {
+    field: (i128, i128),
     low: [i128; 2],
     high: [i128; 2],
     /// The samples of the first and the last pixel.
@@ -55,6 +56,7 @@ impl Grid {
         let offset = profile.sample.map_or([half; 2], |s| [s.x, s.y].map(i128::from));
         let last = [0, 1].map(|axis| (size[axis] - 1) * pixel + offset[axis]);
         Self {
+            field: (low, high),
             low: [low.max(0); 2],
             high: size.map(|side| high.min(side * pixel)),
             first: offset,
@@ -66,10 +68,8 @@ impl Grid {
 
     /// Triangles whose vertices all lie on the grid, each a scene.
     fn keep(&self, triangles: Vec<Given>) -> Vec<Vec<Triangle>> {
-        let inside = |[x, y]: &[i128; 2]| {
-            (self.low[0]..=self.high[0]).contains(x) && (self.low[1]..=self.high[1]).contains(y)
-        };
-        let kept = triangles.into_iter().filter(|(xy, _)| xy.iter().all(inside));
+        let inside = |value: &i128| (self.field.0..=self.field.1).contains(value);
+        let kept = triangles.into_iter().filter(|(xy, _)| xy.iter().flatten().all(inside));
         kept.map(|(xy, z)| vec![Triangle::Lattice { xy, z }]).collect()
     }
 }
@@ -84,23 +84,27 @@ fn down(from: u32) -> Vec<Value> {
     (0..=from).rev().map(Value::Bits).collect()
 }
 
-/// Edges between the window's corners, seen from its other corners.
+/// Edges between the corners of the vertex field, seen from the window's corners.
 fn corners(profile: &Profile, grid: &Grid) -> Push {
-    let ([x0, y0], [x1, y1]) = (grid.low, grid.high);
+    let (low, high) = grid.field;
     let half = grid.first[0];
     let own = exact_width(profile).unwrap_or(2);
     Push {
         name: "window to its corners",
-        pushed: format!("edges between the corners ({x0}, {y0}) and ({x1}, {y1}) in sub-pixels"),
+        pushed: format!(
+            "edges between the corners of the vertex field, {low} to {high} sub-pixels"
+        ),
         field: Field::EdgeWidth,
         values: down(own),
         tolerance: at_most("misclassified", 0.0),
         scenes: grid.keep(vec![
-            ([[x0, y0], [x1, y0], [x0, y1]], None),
-            ([[x1, y0], [x1, y1], [x0, y1]], None),
-            // The left sample column and the top row, with the opposite edge as far as can be.
-            ([[x0, y0], [x1, y0], [x0 + half, y1]], None),
-            ([[x0, y0], [x1, y1], [x0, y0 + half + 1]], None),
+            ([[low, low], [high, low], [low, high]], None),
+            ([[high, low], [high, high], [low, high]], None),
+            // The left column and the top row of samples, with the opposite edge as far as can be.
+            ([[low, low], [high, low], [low + half, high]], None),
+            ([[low, low], [high, high], [low, low + half + 1]], None),
+            ([[low, high], [high, low], [high, high]], None),
+            ([[high, low], [low, low], [high, high]], None),
         ]),
         lens: None,
     }

@@ -40,18 +40,35 @@ impl Moments {
     /// Adds `count` errors in equal steps from `first` to `last`, in closed form.
     #[inline]
     pub fn run(&mut self, first: f64, last: f64, count: u32) {
-        if count == 0 {
-            return;
+        match count {
+            0 => return,
+            1 => return self.note(first),
+            2 => {
+                self.note(first);
+                return self.note(last);
+            }
+            _ => {}
         }
         let n = f64::from(count);
         let (middle, half) = (f64::midpoint(first, last), 0.5 * (last - first));
         // Around their middle the squares of n equal steps of 2 half / (n - 1) sum to
         // n half^2 (n + 1) / (3 (n - 1)).
-        let around = if count == 1 { 0.0 } else { n * half * half * (n + 1.0) / (3.0 * (n - 1.0)) };
+        let around = n * half * half * (n + 1.0) / (3.0 * (n - 1.0));
         self.count += u64::from(count);
         self.worst = self.worst.max(first.abs()).max(last.abs());
         self.sum += n * middle;
         self.squares += n * middle * middle + around;
+    }
+
+    /// The same errors in another unit.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        Self {
+            count: self.count,
+            worst: self.worst * factor,
+            sum: self.sum * factor,
+            squares: self.squares * factor * factor,
+        }
     }
 
     /// Adds what another sum has.

@@ -192,6 +192,8 @@ impl Stage {
                 snap.attribute.run(&world.flat(), error, [0.0; 2], count);
             }
         });
+        snap.depth.settle(&world);
+        snap.attribute.settle(&world.flat());
     }
 }
 

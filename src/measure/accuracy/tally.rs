@@ -90,17 +90,31 @@ pub struct Accuracy {
 
 impl ValueTally {
     /// Adds a run of errors in ULP and parts of the range, both in equal steps between their ends.
+    /// In a flat world [`ValueTally::settle`] has to follow.
     #[inline]
     pub fn run(&mut self, world: &World, ulp: [f64; 2], part: [f64; 2], count: u32) {
         self.ulp.run(ulp[0], ulp[1], count);
-        world.depth_run(ulp, part, count, &mut self.world);
+        if !world.is_flat() {
+            world.depth_run(ulp, part, count, &mut self.world);
+        }
     }
 
-    /// Adds one error in ULP at a part of the range.
+    /// Adds one error in ULP at a part of the range. In a flat world [`ValueTally::settle`] has to
+    /// follow.
     #[inline]
     pub fn note(&mut self, world: &World, ulp: f64, part: f64) {
         self.ulp.note(ulp);
-        self.world.note(world.depth(ulp, part));
+        if !world.is_flat() {
+            self.world.note(world.depth(ulp, part));
+        }
+    }
+
+    /// Makes the distances of a flat world: there they are the errors in another unit.
+    #[inline]
+    pub fn settle(&mut self, world: &World) {
+        if world.is_flat() {
+            self.world = self.ulp.scaled(world.depth(1.0, 0.0));
+        }
     }
 
     /// Adds what another tally has.

@@ -95,6 +95,16 @@ fn inside(read: ReadOut) -> (i128, i128) {
     if read.clamp() == Clamp::Saturate { (0, 0) } else { (lowest.max(0), limit.min(read.top())) }
 }
 
+/// The first column of a run at which a condition that stays true is true, or its end.
+fn first_column(run: &Span, holds: impl Fn(u32) -> bool) -> u32 {
+    let (mut from, mut to) = (run.x0, run.x1);
+    while from < to {
+        let middle = from + (to - from) / 2;
+        if holds(middle) { to = middle } else { from = middle + 1 }
+    }
+    from
+}
+
 #[inline]
 fn at([start, dx, dy]: &[i64; 3], [right, down]: [i64; 2]) -> i64 {
     start + dx * right + dy * down
@@ -125,6 +135,7 @@ pub fn face_values(stage: &Stage, depth: &Depth, face: &Face, runs: &[Span], val
             let plain = walk.reach(run, &mut values.attribute_extent);
             walk.errors(stage, &world, run, plain, &mut values.attribute);
         }
+        values.attribute.settle(&world);
     }
     let Some(surface) = &face.depth else { return };
     let walk = Walk::new(stage, depth, face, surface);
@@ -137,6 +148,7 @@ pub fn face_values(stage: &Stage, depth: &Depth, face: &Face, runs: &[Span], val
             values.clamps += events.count(Event::ClampAbove) + events.count(Event::ClampBelow);
         }
     }
+    values.depth.settle(&stage.world);
 }
 
 impl<'a> Walk<'a> {
@@ -199,16 +211,38 @@ impl<'a> Walk<'a> {
     /// Adds the errors of a run; `plain` if all of it lies inside the range.
     #[inline]
     fn errors(&self, stage: &Stage, world: &World, run: &Span, plain: bool, into: &mut ValueTally) {
-        let part = |x| self.surface.code.at(x, run.y) / world.top;
         if plain {
-            let (first, last) = (run.x0, run.x1 - 1);
-            let ulp = [self.ulp(first, run.y), self.ulp(last, run.y)];
-            into.run(world, ulp, [part(first), part(last)], run.x1 - run.x0);
-            return;
+            return self.plain_errors(world, run, into);
         }
-        for x in run.x0..run.x1 {
+        let inner = self.inner(run);
+        let part = |x| self.surface.code.at(x, run.y) / world.top;
+        for x in (run.x0..inner.x0).chain(inner.x1..run.x1) {
             into.note(world, self.held_ulp(stage, x, run.y), part(x));
         }
+        if inner.x0 < inner.x1 {
+            self.plain_errors(world, &inner, into);
+        }
+    }
+
+    #[inline]
+    fn plain_errors(&self, world: &World, run: &Span, into: &mut ValueTally) {
+        let part = |x| self.surface.code.at(x, run.y) / world.top;
+        let (first, last) = (run.x0, run.x1 - 1);
+        if first == last {
+            return into.note(world, self.ulp(first, run.y), part(first));
+        }
+        let ulp = [self.ulp(first, run.y), self.ulp(last, run.y)];
+        into.run(world, ulp, [part(first), part(last)], run.x1 - run.x0);
+    }
+
+    /// The part of a run that lies inside the range, perhaps empty: values only rise or only fall.
+    fn inner(&self, run: &Span) -> Span {
+        let (low, high) = inside(self.depth.read_out());
+        let value = |x: u32| self.plane.at(x.into(), run.y.into());
+        let rises = self.plane.dx >= 0;
+        let enters = first_column(run, |x| if rises { value(x) >= low } else { value(x) < high });
+        let leaves = first_column(run, |x| if rises { value(x) >= high } else { value(x) < low });
+        Span { x0: enters.min(leaves), x1: leaves, ..*run }
     }
 
     /// The error at a pixel as read: wrapped, clamped or held.

@@ -40,13 +40,14 @@ impl World {
         self.depth(ulp, 0.0).max(self.depth(ulp, 1.0))
     }
 
+    /// Whether an error is everywhere worth the same.
+    pub const fn is_flat(&self) -> bool {
+        self.lens.is_none()
+    }
+
     /// Adds a run of errors and parts that both change in equal steps between their ends.
     #[inline]
     pub fn depth_run(&self, ulp: [f64; 2], part: [f64; 2], count: u32, into: &mut Moments) {
-        if self.lens.is_none() {
-            into.run(ulp[0] / self.top, ulp[1] / self.top, count);
-            return;
-        }
         let steps = f64::from(count.max(2) - 1);
         let (ulp_step, part_step) = ((ulp[1] - ulp[0]) / steps, (part[1] - part[0]) / steps);
         for n in 0..count {
