@@ -3,6 +3,7 @@
 mod chart;
 mod extremes;
 mod files;
+mod keeper;
 mod session;
 mod synthesis;
 mod table;
