@@ -4,21 +4,24 @@
 # Prints the path of its slurm.conf once it takes jobs: export it as SLURM_CONF. It lasts until
 # standard input ends, so it cannot outlive whoever started it. Everything it writes lies in one
 # temporary folder, which it removes; it takes no fixed port and reads nothing of /etc/slurm.
+# shellcheck disable=SC2317 # a trap calls what seems unreachable
 set -euo pipefail
 
 # Daemons live in sbin, which not every user's search path has.
 PATH=$PATH:/usr/local/sbin:/usr/sbin:/sbin
 
+# Background commands read nothing unless told to: the descriptor keeps standard input for one.
+exec 3<&0
 folder=$(mktemp -d "${TMPDIR:-/tmp}/slurm.XXXXXX")
 daemons=()
 
-# The processes that carry this folder in their environment: daemons and, since a step's process
-# leaves its parent, whatever jobs were running.
+# The processes that carry this folder's mark in their environment: the daemons and, since a
+# step's process leaves its parent, whatever the node's daemon started. A user's never do.
 ours() {
     local environ pid
     for environ in /proc/[0-9]*/environ; do
         pid=${environ//[!0-9]/}
-        if [ "$pid" != $$ ] && grep -qszF "SLURM_CONF=$folder/" "$environ"; then
+        if [ "$pid" != $$ ] && grep -qszF "TRIAL_CLUSTER=$folder" "$environ"; then
             echo "$pid"
         fi
     done
@@ -72,7 +75,7 @@ port() {
     return 1
 }
 
-export SLURM_CONF=$folder/slurm.conf
+export SLURM_CONF=$folder/slurm.conf TRIAL_CLUSTER=$folder
 user=$(id -un)
 host=$(hostname -s)
 memory=$(awk '/^MemTotal/ { print int($2 / 1024) }' /proc/meminfo)
@@ -101,6 +104,7 @@ ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
 SwitchType=switch/none
 MpiDefault=none
+MailProg=/bin/true
 JobAcctGatherType=jobacct_gather/none
 AccountingStorageType=accounting_storage/none
 SelectType=select/cons_tres
@@ -117,11 +121,11 @@ CONF
 munged --foreground --force --num-threads=2 --key-file="$folder/munge.key" \
     --socket="$folder/munge/socket" --pid-file="$folder/munge/pid" \
     --seed-file="$folder/munge/seed" --log-file="$folder/munge/log" \
-    > "$folder/munged.log" 2>&1 < /dev/null &
+    > "$folder/munged.log" 2>&1 < /dev/null 3<&- &
 daemons+=($!)
-slurmctld -D -i > "$folder/slurmctld.out.log" 2>&1 < /dev/null &
+slurmctld -D -i > "$folder/slurmctld.out.log" 2>&1 < /dev/null 3<&- &
 daemons+=($!)
-slurmd -D -N "$host" > "$folder/slurmd.out.log" 2>&1 < /dev/null &
+slurmd -D -N "$host" > "$folder/slurmd.out.log" 2>&1 < /dev/null 3<&- &
 daemons+=($!)
 
 for _ in {1..150}; do
@@ -130,8 +134,9 @@ for _ in {1..150}; do
     done
     if [ "$(timeout 5 sinfo --noheader --format=%t 2> /dev/null)" = idle ]; then
         echo "$SLURM_CONF"
-        # cat and not read: whatever comes in is of no matter.
-        cat > /dev/null &
+        # In the background, since bash looks at signals when a command in front has ended.
+        cat <&3 > /dev/null &
+        daemons+=($!)
         wait $! || true
         exit 0
     fi

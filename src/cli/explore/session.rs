@@ -86,13 +86,12 @@ impl<'a> Session<'a> {
                 }
             }
         }
-        // A part may be empty, as one of more parts than numbers is: whoever waits for all parts
-        // waits for this one, too. A space may not.
-        if records.is_empty() && shard.is_some() {
-            eprintln!("note: no number of this part is a budget; fewer parts would do");
-            return Ok(records);
+        // One of more parts than numbers is empty, and no failure: whoever waits for all parts waits
+        // for this one, too. A whole space never is.
+        if records.is_empty() {
+            eprintln!("note: no number of this part is a budget: nothing to measure");
         }
-        some(records)
+        Ok(records)
     }
 
     fn interrupted(
@@ -153,17 +152,8 @@ impl<'a> Session<'a> {
             );
             return Err(Failure::input(message).hint("run the parts that are missing to their end"));
         }
-        some(measured(results))
+        Ok(measured(results))
     }
-}
-
-/// The records of a whole space, of which there have to be some.
-fn some(records: Vec<Record>) -> Result<Vec<Record>, Failure> {
-    if records.is_empty() {
-        let message = "this space has no budget: what is varied leaves no number of it valid";
-        return Err(Failure::input(message).hint("widen the space with --vary"));
-    }
-    Ok(records)
 }
 
 fn measured(results: Results) -> Vec<Record> {
