@@ -83,7 +83,8 @@ mkdir -m 755 "$folder/munge" "$folder/state" "$folder/spool"
 dd if=/dev/urandom of="$folder/munge.key" bs=1024 count=1 status=none
 chmod 400 "$folder/munge.key"
 
-# Delays are short because the trial is; jobs see one node however many processors there are.
+# Delays are short because the trial is: the scheduler looks once a second, so eight tasks at a time
+# share the two processors.
 cat > "$SLURM_CONF" << CONF
 ClusterName=trial
 SlurmctldHost=$host(127.0.0.1)
@@ -114,7 +115,7 @@ SchedulerParameters=sched_interval=1,batch_sched_delay=0,sched_min_interval=0
 KillWait=2
 ReturnToService=2
 NodeName=$host NodeAddr=127.0.0.1 CPUs=2 RealMemory=$((memory / 2)) State=UNKNOWN
-PartitionName=trial Nodes=$host Default=YES MaxTime=10 State=UP
+PartitionName=trial Nodes=$host Default=YES OverSubscribe=FORCE:4 MaxTime=10 State=UP
 CONF
 
 # --force: its folder is not one of a system's, which munged would rather have.

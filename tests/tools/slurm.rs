@@ -63,7 +63,7 @@ impl Cluster {
     fn until(&self, what: &str, reached: impl Fn() -> bool) {
         while !reached() {
             assert!(self.begin.elapsed() < LIMIT, "{what}: not within {LIMIT:?}");
-            std::thread::sleep(Duration::from_millis(20));
+            std::thread::sleep(Duration::from_millis(100));
         }
     }
 
