@@ -67,6 +67,7 @@ mod spec {
         Words "01-words.md", Events "02-events.md", Formats "03-formats.md",
         Setup "04-setup.md", Coverage "05-coverage.md", Values "06-values.md",
         EdgeWalk "07-edge-walk.md", Stimulus "08-stimulus.md",
-        Bounds "10-bounds.md", Cost "11-cost.md"
+        Bounds "10-bounds.md", Cost "11-cost.md",
+        Measures "12-measures.md", Search "13-search.md"
     );
 }

@@ -106,7 +106,7 @@ fn arithmetic_errors_are_those_of_every_sample() {
         let lens = (index % 2 == 0).then_some(Lens { near: 1.0, far: 7.0 });
         let stage = stage_of(given.clone(), lens, &profile);
         let drawn = Drawn::new(&stage, &profile).unwrap();
-        let tally = measure(&stage, &drawn, &profile);
+        let tally = measure(&stage, &drawn, &profile).tally;
         let model = Model::new(&profile).unwrap();
         let grid = profile.grid().unwrap();
         let (mut worst, mut sum, mut squares, mut count) = (0.0f64, 0.0, 0.0, 0);
@@ -174,7 +174,7 @@ fn wraps_and_clamps_are_the_events_of_the_model() {
         profile.form = Form::EdgeFunction(wide);
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);
-        let tally = measure(&stage, &Drawn::new(&stage, &profile).unwrap(), &profile);
+        let tally = measure(&stage, &Drawn::new(&stage, &profile).unwrap(), &profile).tally;
         let model = Model::new(&profile).unwrap();
         let mut drawing = Drawing::default();
         for triangle in snapped(&model, &given) {
@@ -225,7 +225,7 @@ fn the_order_of_surfaces_is_that_of_the_drawn_codes() {
         profile.form = Form::EdgeFunction(wide);
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);
-        let tally = measure(&stage, &Drawn::new(&stage, &profile).unwrap(), &profile);
+        let tally = measure(&stage, &Drawn::new(&stage, &profile).unwrap(), &profile).tally;
         let (mut inverted, mut tied) = (0, 0);
         for pixel in layers(&profile, &given).values_mut() {
             pixel.sort_by(|a, b| a.exact.cmp(&b.exact));

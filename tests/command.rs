@@ -640,3 +640,43 @@ fn the_readmes_walk_works_as_printed() {
     let ran = std::process::Command::new("sh").args(["-c", line]).env("PATH", &path).output();
     assert_eq!(String::from_utf8(ran.unwrap().stdout).unwrap().trim(), answer);
 }
+
+/// A small mesh to stand in for the reader's own: a bent strip, in the form of an OBJ file.
+fn strip() -> String {
+    let vertex = |n: i32| {
+        let (along, side) = (n / 2, n % 2);
+        format!("v {along} {} {}\n", side * 3, along * along % 7)
+    };
+    let face = |n: i32| format!("f {} {} {}\n", n, n + 1, n + 2);
+    (0..24).map(vertex).chain((1..=22).map(face)).collect()
+}
+
+#[cfg(unix)]
+#[test]
+fn the_readmes_search_works_as_printed() {
+    let home = home();
+    std::fs::write(home.path().join("bunny.obj"), strip()).unwrap();
+    let program = Path::new(env!("CARGO_BIN_EXE_guardbit")).parent().unwrap();
+    let path = format!("{}:{}", program.display(), std::env::var("PATH").unwrap());
+    let section = "How few bits are enough?";
+    let commands = readme_blocks(section, "sh").concat().replace("\\\n", " ");
+    let mut outputs = Vec::new();
+    for line in commands.lines() {
+        let mut shell = std::process::Command::new("sh");
+        let ran = shell.args(["-c", line]).current_dir(home.path()).env("PATH", &path).output();
+        let ran = ran.unwrap();
+        assert_eq!(ran.status.code(), Some(0), "{line}: {ran:?}");
+        outputs.push(String::from_utf8(ran.stdout).unwrap());
+    }
+    assert_eq!(outputs.len(), 6);
+    for made in ["bunny.html", "bunny.svg", "bunny.toml", "bunny.smt2", "bunny.g"] {
+        assert!(home.path().join(made).metadata().unwrap().len() > 0, "{made}");
+    }
+    // What is printed has the lines that the README shows, whatever the mesh.
+    let shown = readme_blocks(section, "text").concat();
+    let label = |line: &str| line.split_whitespace().next().unwrap_or("").to_owned();
+    for line in shown.lines().filter(|line| !line.starts_with([' ', '.'])) {
+        let there = outputs[1].lines().any(|printed| label(printed) == label(line));
+        assert!(there, "{line}: {}", outputs[1]);
+    }
+}

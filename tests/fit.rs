@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::case::Words;
+use guardbit::explore::field::Level;
 use guardbit::explore::fit::{Lesser, Request, exhaustive, fit, least};
 use guardbit::explore::metric::Metric;
 use guardbit::explore::pareto;
@@ -329,7 +330,6 @@ fn numbers_and_choices_are_each_others_inverse_and_groups_share_the_space_out() 
     // Under an edge function the fraction of a walk is no field: its further values are no budgets.
     let again = (0..space.len()).filter(|n| matches!(space.point(*n).unwrap(), Point::Again));
     assert_eq!(again.count(), 4 * 3 * 2);
-    use guardbit::explore::field::Level;
     let mut seen: Vec<u64> = space
         .groups(Level::Stage)
         .into_iter()

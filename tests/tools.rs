@@ -37,6 +37,12 @@ const SYNTHESIS: Tool = Tool { name: "yosys", programs: &[YOSYS], version: "-V",
 const Z3: Tool = Tool { name: "z3", programs: &["z3"], version: "--version", package: "z3" };
 const GAPPA: Tool =
     Tool { name: "gappa", programs: &["gappa"], version: "--version", package: "gappa" };
+const SHELLCHECK: Tool = Tool {
+    name: "shellcheck",
+    programs: &["shellcheck"],
+    version: "--version",
+    package: "shellcheck",
+};
 /// Its packages bring the programs of a node, of a user and of munge, too.
 const SLURM: Tool = Tool {
     name: "slurm",
@@ -88,6 +94,7 @@ fn main() {
             "gappa_reads_the_file_and_refuses_a_spoiled_one",
             prover::gappa_reads_the_file_and_refuses_a_spoiled_one,
         ),
+        SHELLCHECK.trial("the_scripts_are_clean", slurm::scripts_are_clean),
         SLURM.trial("job_arrays_do_what_the_readme_says", slurm::arrays_do_what_the_readme_says),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();

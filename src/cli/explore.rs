@@ -34,6 +34,7 @@ pub(crate) use table::{FIGURES, figure, help as columns_help};
 /// Snap error (the scene against itself on the grid) and arithmetic error (what is drawn against
 /// the exact picture of that) are kept apart: figures of the first begin with `snap-`.
 #[derive(Debug, clap::Args)]
+#[allow(clippy::struct_excessive_bools, reason = "flags of a command line")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     space: SpaceArguments,

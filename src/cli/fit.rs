@@ -1,5 +1,7 @@
 //! `guardbit fit`: the cheapest budget that meets tolerances on these scenes.
 
+mod merge;
+mod print;
 mod report;
 
 use super::Outcome;
@@ -126,7 +128,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         };
         Report::new(&request, &arguments.space.scenes, arguments.shard, &found)
     } else {
-        report::merge(&request, &arguments.merge)?
+        merge::merge(&request, &arguments.merge)?
     };
     if let Some(path) = &arguments.save {
         write_whole(path, |mut file| {

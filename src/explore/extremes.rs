@@ -111,7 +111,7 @@ fn figure(stages: &[Stage], profile: &Profile, metric: Metric) -> Result<f64, In
     let (mut snap, mut arithmetic) = (Tally::default(), Tally::default());
     for stage in stages {
         snap.merge(&stage.snap);
-        arithmetic.merge(&measure(stage, &Drawn::new(stage, profile)?, profile));
+        arithmetic.merge(&measure(stage, &Drawn::new(stage, profile)?, profile).tally);
     }
     let accuracy = sweep::accuracy(stages, &snap, &arithmetic);
     Ok(metric.of_accuracy(&accuracy).unwrap_or(0.0))

@@ -79,12 +79,12 @@ impl Header {
         }
         for scene in &sweep.scenes {
             hash.update(format!("\n{:?}", scene.lens));
-            scene.hash(&mut |bytes| hash.update(bytes));
+            scene.digest(&mut |bytes| hash.update(bytes));
         }
         Self {
             guardbit: "explore".to_owned(),
             model: MODEL_VERSION,
-            request: hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect(),
+            request: hex(&hash.finalize()),
             budgets: sweep.space.len(),
         }
     }
@@ -105,6 +105,12 @@ impl Header {
             (self.request != other.request).then(|| "same size, other contents".to_owned())
         }
     }
+}
+
+/// Bytes as hexadecimal digits.
+fn hex(bytes: &[u8]) -> String {
+    let digit = |nibble: u8| char::from_digit(nibble.into(), 16).unwrap_or('0');
+    bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).collect()
 }
 
 /// The line of a result.

@@ -43,7 +43,7 @@ pub(super) fn witness(
     let mut each = Vec::new();
     for stage in &stages {
         let drawn = Drawn::new(stage, profile)?;
-        let own = measure(stage, &drawn, profile);
+        let own = measure(stage, &drawn, profile).tally;
         snap.merge(&stage.snap);
         arithmetic.merge(&own);
         each.push(sweep::accuracy(std::slice::from_ref(stage), &stage.snap, &own));

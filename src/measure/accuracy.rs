@@ -32,6 +32,7 @@ pub use value::{Reach, Values, face_values};
 pub use world::World;
 
 use crate::dda::Processor;
+use crate::format::{Clamp, ReadOut};
 use crate::profile::Profile;
 use crate::value::Depth;
 
@@ -40,16 +41,37 @@ pub fn depth_of(profile: &Profile) -> Option<Depth> {
     Depth::new(profile.depth?, &profile.vertex, Processor::default()).ok()
 }
 
+/// The arithmetic error of one profile on a stage.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    /// The errors.
+    pub tally: Tally,
+    /// How far the depth accumulators reached, unwrapped.
+    pub depth: Reach,
+    /// The same of the attribute.
+    pub attribute: Reach,
+}
+
+impl Measured {
+    /// Whether a read-out told all accumulators apart: the errors are then those of every number
+    /// of guard bits that does so, unless the clamp is sticky. Spec clause `Q-8`.
+    pub fn held_by(&self, read: ReadOut) -> bool {
+        let holds = |reach: &Reach| reach.within(read.range());
+        read.clamp() != Clamp::Saturate && holds(&self.depth) && holds(&self.attribute)
+    }
+}
+
 /// The arithmetic error of one profile, on a stage and a coverage that were made for it.
-pub fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile) -> Tally {
-    let mut tally = drawn.tally;
-    let Some(depth) = depth_of(profile) else { return tally };
+pub fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile) -> Measured {
+    let none = Reach::default();
+    let mut measured = Measured { tally: drawn.tally, depth: none, attribute: none };
+    let Some(depth) = depth_of(profile) else { return measured };
     let mut values = Values::default();
     for (n, face) in stage.faces.iter().enumerate() {
         face_values(stage, &depth, face, drawn.runs(stage, n), &mut values);
     }
-    finish(stage, &depth, &values, &mut tally);
-    tally
+    finish(stage, &depth, &values, &mut measured.tally);
+    Measured { depth: values.depth_extent, attribute: values.attribute_extent, ..measured }
 }
 
 /// Puts values and the order of surfaces into a tally.

@@ -95,16 +95,16 @@ struct Extremes<T, V> {
 
 impl<T: Copy, V: PartialOrd + Copy> Extremes<T, V> {
     fn of(values: impl Iterator<Item = (V, T)>) -> Self {
-        let (mut low, mut high): (Option<(V, T)>, Option<(V, T)>) = (None, None);
+        let mut found = Self { low: None, high: None };
         for (value, place) in values {
-            if low.is_none_or(|(least, _)| value < least) {
-                low = Some((value, place));
+            if found.low.is_none_or(|(least, _)| value < least) {
+                found.low = Some((value, place));
             }
-            if high.is_none_or(|(most, _)| value > most) {
-                high = Some((value, place));
+            if found.high.is_none_or(|(most, _)| value > most) {
+                found.high = Some((value, place));
             }
         }
-        Self { low, high }
+        found
     }
 
     /// A range with both places in words.

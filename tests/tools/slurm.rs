@@ -144,6 +144,14 @@ fn scripts() -> [&'static str; 4] {
     scripts.collect::<Vec<_>>().try_into().unwrap()
 }
 
+pub(crate) fn scripts_are_clean(shellcheck: &str) {
+    let mut command = Command::new(shellcheck);
+    command.current_dir(env!("CARGO_MANIFEST_DIR")).arg("--shell=bash");
+    command.args(["recipes/slurm/part.sbatch", "recipes/slurm/merge.sbatch"]);
+    let ran = Ran::from(command.arg("tests/slurm/cluster.sh").output().unwrap());
+    assert_eq!((ran.status, &*ran.out), (Some(0), ""));
+}
+
 pub(crate) fn arrays_do_what_the_readme_says(_: &str) {
     let cluster = Cluster::start();
     table_of_one_run(&cluster);

@@ -105,11 +105,12 @@ fn print(output: &mut Output, extreme: &Extreme) -> Result<(), Failure> {
         "  breaks  {field}={value}: {metric} {} > {limit}: {finding}",
         figure(*got)
     ))?;
-    if let (Some(place), Some([a, b, c])) = (place, vertices) {
+    if let (Some(place), Some(vertices)) = (place, vertices) {
+        let [a, b, c] = vertices.map(|[x, y]| format!("({x}, {y})"));
         let depths = depths.map_or(String::new(), |[a, b, c]| format!(", depths {a} {b} {c}"));
         output.line(format!(
-            "          triangle ({}, {}) ({}, {}) ({}, {}) in sub-pixels{depths}, pixel ({}, {})",
-            a[0], a[1], b[0], b[1], c[0], c[1], place.x, place.y
+            "          triangle {a} {b} {c} in sub-pixels{depths}, pixel ({}, {})",
+            place.x, place.y
         ))?;
     }
     Ok(())

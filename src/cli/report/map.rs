@@ -203,7 +203,7 @@ mod tests {
             assert!((some.part(error) - part).abs() < 1e-12, "{error}");
         }
         assert!((some.error(0.5) - 8.0).abs() < 1e-12);
-        assert_eq!(map(0.0).part(0.0), 0.0, "without an error all is blue");
+        assert_eq!(map(0.0).part(0.0).to_bits(), 0, "without an error all is blue");
         let colours: Vec<Colour> = colours().collect();
         assert_eq!((colours[0], colours[63], colours.len()), (HEAT[0], HEAT[4], 64));
     }

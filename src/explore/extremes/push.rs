@@ -32,6 +32,9 @@ pub(super) fn all(profile: &Profile) -> Vec<Push> {
     pushes.into_iter().filter(|push| !push.scenes.is_empty()).collect()
 }
 
+/// Vertices in sub-pixels, and their depths.
+type Given = ([[i128; 2]; 3], Option<[i128; 3]>);
+
 /// The window in sub-pixels, as far as vertices go.
 struct Grid {
     low: [i128; 2],
@@ -62,7 +65,7 @@ impl Grid {
     }
 
     /// Triangles whose vertices all lie on the grid, each a scene.
-    fn keep(&self, triangles: Vec<([[i128; 2]; 3], Option<[i128; 3]>)>) -> Vec<Vec<Triangle>> {
+    fn keep(&self, triangles: Vec<Given>) -> Vec<Vec<Triangle>> {
         let inside = |[x, y]: &[i128; 2]| {
             (self.low[0]..=self.high[0]).contains(x) && (self.low[1]..=self.high[1]).contains(y)
         };

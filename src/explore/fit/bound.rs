@@ -33,8 +33,8 @@ pub(super) fn meets(
     tolerances.iter().all(|Tolerance { metric, limit }| {
         let most = match metric.name {
             // No mean square exceeds the largest square, and no mean the largest error.
-            "depth-worst" | "depth-mean" | "depth-rms" => error,
-            "attribute-worst" | "attribute-mean" | "attribute-rms" => error,
+            "depth-worst" | "depth-mean" | "depth-rms" | "attribute-worst" | "attribute-mean"
+            | "attribute-rms" => error,
             "depth-worst-world" | "depth-mean-world" | "depth-rms-world" => world,
             "attribute-worst-world" | "attribute-mean-world" | "attribute-rms-world" => range,
             "wraps" => 0.0,

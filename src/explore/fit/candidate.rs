@@ -58,7 +58,9 @@ pub(super) fn by_stage(request: &Request<'_>) -> Result<Vec<Vec<Candidate>>, Inv
         }
     }
     let mut lists: Vec<Vec<Candidate>> = groups.into_iter().map(|(_, group)| group).collect();
-    lists.iter_mut().for_each(|list| list.sort_by_key(Candidate::key));
+    for list in &mut lists {
+        list.sort_by_key(Candidate::key);
+    }
     lists.sort_by_key(|list| list[0].key());
     Ok(lists)
 }

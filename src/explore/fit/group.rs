@@ -91,7 +91,9 @@ impl Coverage {
 impl Group {
     pub(super) fn new(key: StageKey, stages: Vec<Stage>) -> Self {
         let mut snap = Tally::default();
-        stages.iter().for_each(|stage| snap.merge(&stage.snap));
+        for stage in &stages {
+            snap.merge(&stage.snap);
+        }
         Self { key, stages, snap, needs: Vec::new(), coverages: Vec::new(), hot: Vec::new() }
     }
 

@@ -79,18 +79,13 @@ impl<'a> Judge<'a> {
             self.effort.evaluated += 1;
             return Ok(self.conclude(group.report(&coverage.tally)));
         }
-        self.values(group, at, profile)
+        Ok(self.values(group, at, profile))
     }
 
     /// Depth and attribute, on a coverage that meets its tolerances.
-    fn values(
-        &mut self,
-        group: &mut Group,
-        at: usize,
-        profile: &Profile,
-    ) -> Result<Verdict, InvalidProfile> {
+    fn values(&mut self, group: &mut Group, at: usize, profile: &Profile) -> Verdict {
         let (Some(depth), Some(config)) = (depth_of(profile), profile.depth) else {
-            return Ok(Verdict::Fails);
+            return Verdict::Fails;
         };
         let read = depth.read_out();
         let plane = group.coverages[at].plane(config);
@@ -98,20 +93,20 @@ impl<'a> Judge<'a> {
         let no_wrap = |t: &Tolerance| t.metric.name == "wraps" && t.limit < 1.0;
         if !held && self.tolerances.iter().any(no_wrap) {
             self.effort.by_range += 1;
-            return Ok(Verdict::Fails);
+            return Verdict::Fails;
         }
         if let Some(tally) = plane.whole
             && held
             && plane.attribute.within(read.range())
         {
             self.effort.by_sameness += 1;
-            return Ok(self.conclude(group.report(&tally)));
+            return self.conclude(group.report(&tally));
         }
         let coverage = &group.coverages[at];
-        let Some(drawn) = &coverage.drawn else { return Ok(Verdict::Fails) };
+        let Some(drawn) = &coverage.drawn else { return Verdict::Fails };
         if self.by_bound && bound::meets(&group.stages, drawn, profile, &self.tolerances) {
             self.effort.by_bound += 1;
-            return Ok(Verdict::Proved);
+            return Verdict::Proved;
         }
         let mut partly = Partly::new(&self.tolerances, group, coverage);
         let mut seen = Values::default();
@@ -126,7 +121,7 @@ impl<'a> Judge<'a> {
             group.coverages[at].plane(config).widen(&seen);
             group.hot[..=hot].rotate_right(1);
             self.effort.by_witness += 1;
-            return Ok(Verdict::Fails);
+            return Verdict::Fails;
         }
         let (mut all, mut arithmetic) = (Values::default(), Tally::default());
         for (scene, (stage, drawn)) in group.stages.iter().zip(drawn).enumerate() {
@@ -144,7 +139,7 @@ impl<'a> Judge<'a> {
                     group.hot.insert(0, (scene, n));
                     group.hot.truncate(HOT);
                     self.effort.by_part += 1;
-                    return Ok(Verdict::Fails);
+                    return Verdict::Fails;
                 }
             }
             let mut tally = drawn.tally;
@@ -159,7 +154,7 @@ impl<'a> Judge<'a> {
         if held && read.clamp() != Clamp::Saturate {
             plane.whole = Some(arithmetic);
         }
-        Ok(self.conclude(group.report(&arithmetic)))
+        self.conclude(group.report(&arithmetic))
     }
 
     fn conclude(&self, accuracy: Accuracy) -> Verdict {

@@ -61,12 +61,14 @@ impl Affine {
     }
 
     /// Every value times a factor.
+    #[must_use]
     pub fn scaled(self, factor: f64) -> Self {
         let Self { base, value, dx, dy } = self;
         Self { base, value: value * factor, dx: dx * factor, dy: dy * factor }
     }
 
     /// The difference of two planes with the same base.
+    #[must_use]
     pub fn minus(self, other: Self) -> Self {
         debug_assert_eq!(self.base, other.base, "one base");
         Self {

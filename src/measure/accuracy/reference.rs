@@ -75,7 +75,7 @@ impl Reference {
     }
 
     /// Hands every number of the scene to a digest, in drawing order.
-    pub fn hash(&self, digest: &mut dyn FnMut(&[u8])) {
+    pub fn digest(&self, digest: &mut dyn FnMut(&[u8])) {
         for triangle in &self.triangles {
             match triangle {
                 scene::Triangle::Lattice { xy, z } => {

@@ -1,6 +1,7 @@
 //! Lists of covered runs: what two of them share, and what only one of them has.
 
 use crate::model::Span;
+use std::cmp::Ordering;
 
 /// Where a stretch of samples belongs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,15 +26,15 @@ pub(super) fn compare(first: &[Span], second: &[Span], mut each: impl FnMut(Side
             (None, Some(b)) => (Side::Extra, b),
             (Some(a), Some(b)) => {
                 let (start_a, start_b) = ((a.y, a.x0), (b.y, b.x0));
-                if start_a < start_b {
-                    // Up to where the other begins, if that is in this row.
-                    let end = if a.y == b.y { a.x1.min(b.x0) } else { a.x1 };
-                    (Side::Missing, Span { x1: end, ..a })
-                } else if start_b < start_a {
-                    let end = if a.y == b.y { b.x1.min(a.x0) } else { b.x1 };
-                    (Side::Extra, Span { x1: end, ..b })
-                } else {
-                    (Side::Both, Span { x1: a.x1.min(b.x1), ..a })
+                // Up to where the other begins, if that is in this row.
+                let until = |run: Span, other: Span| {
+                    let end = if run.y == other.y { run.x1.min(other.x0) } else { run.x1 };
+                    Span { x1: end, ..run }
+                };
+                match start_a.cmp(&start_b) {
+                    Ordering::Less => (Side::Missing, until(a, b)),
+                    Ordering::Greater => (Side::Extra, until(b, a)),
+                    Ordering::Equal => (Side::Both, Span { x1: a.x1.min(b.x1), ..a }),
                 }
             }
         };
@@ -150,8 +151,11 @@ mod tests {
             for _ in 0..3 {
                 let (a, b) = (runs(&mut words), runs(&mut words));
                 compare(&a, &b, |side, run| hits.note(side, run));
-                samples(&a).into_iter().for_each(|s| *surplus.entry(s).or_default() -= 1);
-                samples(&b).into_iter().for_each(|s| *surplus.entry(s).or_default() += 1);
+                for (runs, change) in [(&a, -1), (&b, 1)] {
+                    for sample in samples(runs) {
+                        *surplus.entry(sample).or_default() += change;
+                    }
+                }
             }
             let count =
                 |wanted: i32| surplus.values().filter(|n| n.signum() == wanted).count() as u64;

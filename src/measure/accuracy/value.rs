@@ -10,7 +10,7 @@ use super::stage::{Face, Stage, Surface};
 use super::tally::ValueTally;
 use super::world::World;
 use crate::bits::Event;
-use crate::format::Clamp;
+use crate::format::{Clamp, ReadOut};
 use crate::model::Span;
 use crate::setup::Plane;
 use crate::value::Depth;
@@ -59,9 +59,45 @@ pub(super) struct Walk<'a> {
     surface: &'a Surface,
     /// The error at the surface's base pixel and its changes, over `whole`.
     error: [i128; 3],
-    /// The same where every sum over the window fits: nearly always.
-    narrow: Option<[i64; 3]>,
+    narrow: Option<Narrow>,
     whole: f64,
+}
+
+/// Error and accumulator at the base pixel and their changes, where every sum over a window fits
+/// 64 bits: nearly always.
+struct Narrow {
+    error: [i64; 3],
+    value: [i64; 3],
+    /// The accumulators that are read as they are, half-open.
+    low: i64,
+    high: i64,
+}
+
+impl Narrow {
+    fn new(error: [i128; 3], value: [i128; 3], read: ReadOut) -> Option<Self> {
+        // A window has 2^16 pixels on a side: the sum of three stays below 2^62.
+        let fits = |[start, dx, dy]: [i128; 3]| {
+            let fit =
+                |value: i128| i64::try_from(value).ok().filter(|v| v.unsigned_abs() < 1 << 45);
+            Some([fit(start)?, fit(dx)?, fit(dy)?])
+        };
+        let (low, high) = inside(read);
+        let ends = [low, high].map(|end| i64::try_from(end).ok());
+        let [Some(low), Some(high)] = ends else { return None };
+        Some(Self { error: fits(error)?, value: fits(value)?, low, high })
+    }
+}
+
+/// The half-open range of accumulators that are read without a wrap, a clamp or a hold; empty
+/// under a sticky clamp.
+fn inside(read: ReadOut) -> (i128, i128) {
+    let (lowest, limit) = read.range();
+    if read.clamp() == Clamp::Saturate { (0, 0) } else { (lowest.max(0), limit.min(read.top())) }
+}
+
+#[inline]
+fn at([start, dx, dy]: &[i64; 3], [right, down]: [i64; 2]) -> i64 {
+    start + dx * right + dy * down
 }
 
 impl Values {
@@ -115,42 +151,47 @@ impl<'a> Walk<'a> {
             plane.dx * exact.whole - (exact.slope[0] << per_pixel),
             plane.dy * exact.whole - (exact.slope[1] << per_pixel),
         ];
-        // A window has 2^16 pixels on a side: the sum of three stays below 2^62.
-        let fits = |value: i128| i64::try_from(value).ok().filter(|v| v.unsigned_abs() < 1 << 45);
-        let narrow = match error.map(fits) {
-            [Some(start), Some(dx), Some(dy)] => Some([start, dx, dy]),
-            _ => None,
-        };
+        let narrow = Narrow::new(error, [plane.at(x, y), plane.dx, plane.dy], depth.read_out());
         let whole = real(exact.whole) * real(1 << fraction);
         Self { depth, plane, surface, error, narrow, whole }
+    }
+
+    /// Steps from the base pixel.
+    #[inline]
+    fn steps(&self, x: u32, y: u32) -> [i64; 2] {
+        let [base_x, base_y] = self.surface.code.base();
+        [i64::from(x) - i64::from(base_x), i64::from(y) - i64::from(base_y)]
     }
 
     /// Widens a reach by a run; whether all of it lies inside the range, on a plane that is added
     /// up without a hold.
     #[inline]
     fn reach(&self, run: &Span, reach: &mut Reach) -> bool {
-        let y = i128::from(run.y);
-        let ends = [run.x0, run.x1 - 1].map(|x| self.plane.at(x.into(), y));
-        let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
-        reach.widen(Reach(Some((low, high))));
-        let read = self.depth.read_out();
-        let (lowest, limit) = read.range();
-        low >= lowest.max(0) && high < limit.min(read.top()) && read.clamp() != Clamp::Saturate
+        let (first, last) = (self.steps(run.x0, run.y), self.steps(run.x1 - 1, run.y));
+        if let Some(Narrow { value, low, high, .. }) = &self.narrow {
+            let (one, other) = (at(value, first), at(value, last));
+            let (least, most) = (one.min(other), one.max(other));
+            reach.widen(Reach(Some((least.into(), most.into()))));
+            return *low <= least && most < *high;
+        }
+        let (x0, x1, y) = (i128::from(run.x0), i128::from(run.x1 - 1), i128::from(run.y));
+        let (one, other) = (self.plane.at(x0, y), self.plane.at(x1, y));
+        let (least, most) = (one.min(other), one.max(other));
+        reach.widen(Reach(Some((least, most))));
+        let (low, high) = inside(self.depth.read_out());
+        low <= least && most < high
     }
 
     /// The error at a pixel, in ULP: an exact numerator, divided once.
     #[inline]
     fn ulp(&self, x: u32, y: u32) -> f64 {
-        let [base_x, base_y] = self.surface.code.base();
-        let right = i64::from(x) - i64::from(base_x);
-        let down = i64::from(y) - i64::from(base_y);
+        let steps = self.steps(x, y);
         #[allow(clippy::cast_precision_loss, reason = "errors are reported as real numbers")]
-        let above = match self.narrow {
-            Some([start, dx, dy]) => (start + dx * right + dy * down) as f64,
-            None => {
-                let [start, dx, dy] = self.error;
-                real(start + dx * i128::from(right) + dy * i128::from(down))
-            }
+        let above = if let Some(narrow) = &self.narrow {
+            at(&narrow.error, steps) as f64
+        } else {
+            let [start, dx, dy] = self.error;
+            real(start + dx * i128::from(steps[0]) + dy * i128::from(steps[1]))
         };
         above / self.whole
     }
@@ -160,9 +201,9 @@ impl<'a> Walk<'a> {
     fn errors(&self, stage: &Stage, world: &World, run: &Span, plain: bool, into: &mut ValueTally) {
         let part = |x| self.surface.code.at(x, run.y) / world.top;
         if plain {
-            let ends = [run.x0, run.x1 - 1];
-            let ulp = ends.map(|x| self.ulp(x, run.y));
-            into.run(world, ulp, ends.map(part), run.x1 - run.x0);
+            let (first, last) = (run.x0, run.x1 - 1);
+            let ulp = [self.ulp(first, run.y), self.ulp(last, run.y)];
+            into.run(world, ulp, [part(first), part(last)], run.x1 - run.x0);
             return;
         }
         for x in run.x0..run.x1 {

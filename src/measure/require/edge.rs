@@ -21,7 +21,8 @@ pub(super) fn require(stage: &Stage, profile: &Profile, found: &mut Requirements
     let areas = stage.faces.iter().map(|face| (face.triangle.area2(), face));
     let mut areas = Extremes::of(areas).range("twice area", "sub-pixels squared", real, triangle);
     if let (Some(areas), lost @ 1..) = (&mut areas, stage.snap.vanished) {
-        areas.evidence += &format!("; {lost} more lost their area on this grid");
+        let others = format!("; {lost} more lost their area on this grid");
+        areas.evidence += &others;
     }
     found.ranges.extend(areas);
     found.bits.extend(vertex_bits(stage, profile));
