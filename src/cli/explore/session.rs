@@ -70,12 +70,12 @@ impl<'a> Session<'a> {
         if let Some(failure) = failure {
             return Err(failure);
         }
-        self.interrupted(&monitor, save, done.load(Ordering::Relaxed), left)?;
+        Self::interrupted(&monitor, save, done.load(Ordering::Relaxed), left)?;
         results.retain(|index, _| range.contains(index));
         let mut records = measured(results);
         if timed {
             self.sweep.time(&mut records, &|| !monitor.cancel.load(Ordering::Relaxed));
-            self.interrupted(&monitor, save, left, left)?;
+            Self::interrupted(&monitor, save, left, left)?;
             if let Some(keeper) = &mut keeper {
                 let before = |record: &&Record| match known.get(&record.index) {
                     Some(Found::Measured(known)) => known.speed != record.speed,
@@ -95,7 +95,6 @@ impl<'a> Session<'a> {
     }
 
     fn interrupted(
-        &self,
         monitor: &guardbit::vector::write::Monitor,
         save: Option<&Path>,
         done: u64,
