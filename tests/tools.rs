@@ -2,8 +2,12 @@
 //! reason in their name; with `GUARDBIT_REQUIRE_TOOLS=1` a missing program is a failure.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "tools/prover.rs"]
+mod prover;
 #[path = "support/run.rs"]
 mod run;
+#[path = "tools/slurm.rs"]
+mod slurm;
 
 use guardbit::measure::cost::{YOSYS, estimate, synthesise};
 use guardbit::profile;
@@ -30,6 +34,23 @@ const CHROMIUM: Tool = Tool {
     package: "chromium",
 };
 const SYNTHESIS: Tool = Tool { name: "yosys", programs: &[YOSYS], version: "-V", package: "yosys" };
+const Z3: Tool = Tool { name: "z3", programs: &["z3"], version: "--version", package: "z3" };
+const GAPPA: Tool =
+    Tool { name: "gappa", programs: &["gappa"], version: "--version", package: "gappa" };
+const SHELLCHECK: Tool = Tool {
+    name: "shellcheck",
+    programs: &["shellcheck"],
+    version: "--version",
+    package: "shellcheck",
+};
+/// Its packages bring the programs of a node, of a user and of munge, too.
+const SLURM: Tool = Tool {
+    name: "slurm",
+    // Daemons are not on every user's search path.
+    programs: &["slurmctld", "/usr/sbin/slurmctld"],
+    version: "-V",
+    package: "slurmctld slurmd slurm-client munge",
+};
 
 impl Tool {
     /// The first of its programs that this machine has.
@@ -63,6 +84,18 @@ fn main() {
         CHROMIUM.trial("a_page_without_depth_is_no_special_case", page_without_depth),
         SYNTHESIS.trial("every_built_in_profile_is_synthesised", profiles_are_synthesised),
         SYNTHESIS.trial("a_sweep_counts_the_cells_of_its_front", sweep_is_synthesised),
+        Z3.trial("z3_agrees_with_every_claim", prover::z3_agrees_with_every_claim),
+        Z3.trial(
+            "z3_reads_the_file_and_refutes_a_spoiled_one",
+            prover::z3_reads_the_file_and_refutes_a_spoiled_one,
+        ),
+        GAPPA.trial("gappa_agrees_with_every_claim", prover::gappa_agrees_with_every_claim),
+        GAPPA.trial(
+            "gappa_reads_the_file_and_refuses_a_spoiled_one",
+            prover::gappa_reads_the_file_and_refuses_a_spoiled_one,
+        ),
+        SHELLCHECK.trial("the_scripts_are_clean", slurm::scripts_are_clean),
+        SLURM.trial("job_arrays_do_what_the_readme_says", slurm::arrays_do_what_the_readme_says),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

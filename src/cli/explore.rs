@@ -3,6 +3,7 @@
 mod chart;
 mod extremes;
 mod files;
+mod keeper;
 mod session;
 mod synthesis;
 mod table;
@@ -180,10 +181,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         session.merge(&arguments.merge)?
     };
+    let mut output = Output::new();
+    if records.is_empty() {
+        arguments.files.leave();
+        output.text(if arguments.json { "[\n]\n" } else { "" })?;
+        output.flush()?;
+        return Ok(Outcome::Good);
+    }
     pareto::mark(&mut records, &objectives);
     arguments.files.synthesise(&sweep, &mut records, threads)?;
     arguments.files.write(&arguments.space, &sweep, &records, &objectives)?;
-    let mut output = Output::new();
     if arguments.json {
         output.line("[")?;
         for (n, record) in records.iter().enumerate() {

@@ -49,6 +49,13 @@ impl FileArguments {
         if self.synth { synthesis::add(sweep, records, threads) } else { Ok(()) }
     }
 
+    /// Says of each file that there is nothing to draw in it.
+    pub(super) fn leave(&self) {
+        for path in [&self.html, &self.svg].into_iter().flatten() {
+            eprintln!("note: {} is not written: there is nothing to draw", path.display());
+        }
+    }
+
     /// Writes the files that were asked for.
     pub(super) fn write(
         &self,

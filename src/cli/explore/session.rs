@@ -1,10 +1,10 @@
 //! One run of a sweep: what is kept, resumed, joined and interrupted.
 
-use super::{Failure, Record, Shard, Sweep, Write};
+use super::keeper::Keeper;
+use super::{Failure, Record, Shard, Sweep};
 use crate::cli::progress;
-use guardbit::explore::store::{self, Header, Results};
+use guardbit::explore::store::{self, Results};
 use guardbit::explore::sweep::Found;
-use std::fs::{File, OpenOptions};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -17,55 +17,6 @@ const PATIENCE: Duration = Duration::from_secs(30);
 pub(super) struct Session<'a> {
     sweep: &'a Sweep,
     threads: usize,
-}
-
-/// The file that results go to.
-struct Keeper {
-    file: File,
-    path: PathBuf,
-}
-
-impl Keeper {
-    /// Opens a file, and reads what it holds.
-    fn open(path: &Path, sweep: &Sweep, results: &mut Results) -> Result<Self, Failure> {
-        let failed = |error: &std::io::Error| Failure::io(&path.display().to_string(), error);
-        let text = match std::fs::read_to_string(path) {
-            Ok(text) => text,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => String::new(),
-            Err(error) if error.kind() == std::io::ErrorKind::InvalidData => {
-                let message = format!("{}: not a text file of results", path.display());
-                return Err(Failure::input(message).hint("name another file with --save"));
-            }
-            Err(error) => return Err(failed(&error)),
-        };
-        let whole = if text.contains('\n') {
-            store::read(sweep, &path.display().to_string(), &text, results)
-                .map_err(|error| Failure::input(error).hint("name another file with --save"))?
-        } else {
-            0
-        };
-        if !text.is_empty() && whole == 0 && !text.starts_with("{\"guardbit\"") {
-            let message = format!("{}: not a file of results", path.display());
-            return Err(Failure::input(message).hint("name another file with --save"));
-        }
-        let options = OpenOptions::new().create(true).truncate(false).write(true).clone();
-        let file = options.open(path).map_err(|error| failed(&error))?;
-        // A line that was cut short is written again.
-        file.set_len(whole as u64).map_err(|error| failed(&error))?;
-        let mut keeper = Self { file, path: path.to_owned() };
-        std::io::Seek::seek(&mut keeper.file, std::io::SeekFrom::End(0))
-            .map_err(|error| failed(&error))?;
-        if whole == 0 {
-            keeper.write(&Header::new(sweep).line())?;
-        }
-        Ok(keeper)
-    }
-
-    fn write(&mut self, line: &str) -> Result<(), Failure> {
-        self.file
-            .write_all(line.as_bytes())
-            .map_err(|error| Failure::io(&self.path.display().to_string(), &error))
-    }
 }
 
 impl<'a> Session<'a> {
@@ -94,6 +45,10 @@ impl<'a> Session<'a> {
             let found = |found: Found| {
                 let Ok(mut shared) = shared.lock() else { return false };
                 let (results, keeper, failure) = &mut *shared;
+                // Another thread's line did not fit: nothing may follow what is left of it.
+                if failure.is_some() {
+                    return false;
+                }
                 let index = match &found {
                     Found::Measured(record) => record.index,
                     Found::Skipped(index) => *index,
@@ -101,7 +56,7 @@ impl<'a> Session<'a> {
                 if let Some(keeper) = keeper
                     && let Err(error) = keeper.write(&store::line(&found))
                 {
-                    failure.get_or_insert(error);
+                    *failure = Some(error);
                     return false;
                 }
                 results.insert(index, found);
@@ -115,12 +70,12 @@ impl<'a> Session<'a> {
         if let Some(failure) = failure {
             return Err(failure);
         }
-        self.interrupted(&monitor, save, done.load(Ordering::Relaxed), left)?;
+        Self::interrupted(&monitor, save, done.load(Ordering::Relaxed), left)?;
         results.retain(|index, _| range.contains(index));
         let mut records = measured(results);
         if timed {
             self.sweep.time(&mut records, &|| !monitor.cancel.load(Ordering::Relaxed));
-            self.interrupted(&monitor, save, left, left)?;
+            Self::interrupted(&monitor, save, left, left)?;
             if let Some(keeper) = &mut keeper {
                 let before = |record: &&Record| match known.get(&record.index) {
                     Some(Found::Measured(known)) => known.speed != record.speed,
@@ -131,15 +86,15 @@ impl<'a> Session<'a> {
                 }
             }
         }
+        // One of more parts than numbers is empty, and no failure: whoever waits for all parts waits
+        // for this one, too. A whole space never is.
         if records.is_empty() {
-            let message = "this part has no budget: its numbers are none, or another number's";
-            return Err(Failure::input(message).hint("choose fewer parts"));
+            eprintln!("note: no number of this part is a budget: nothing to measure");
         }
         Ok(records)
     }
 
     fn interrupted(
-        &self,
         monitor: &guardbit::vector::write::Monitor,
         save: Option<&Path>,
         done: u64,

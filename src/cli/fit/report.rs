@@ -94,13 +94,15 @@ pub(super) fn as_map(budget: &[(&'static str, Value)]) -> BTreeMap<String, Setti
     budget.iter().map(|(name, value)| ((*name).to_owned(), setting(value))).collect()
 }
 
-/// Names the request: its space and scenes, tolerances, cost and kind.
+/// Names the request: its space and scenes, tolerances, cost and kind, and the model that answers.
 pub(super) fn digest(request: &Request<'_>) -> String {
     let tolerances: Vec<String> =
         request.tolerances.iter().map(|t| format!("{}={}", t.metric.name, t.limit)).collect();
+    let header = Header::new(request.sweep);
     format!(
-        "{} {} {} {}",
-        Header::new(request.sweep).request,
+        "{} model {} {} {} {}",
+        header.request,
+        header.model,
         tolerances.join(","),
         request.cost.name,
         if request.robust { "robust" } else { "cheapest" }

@@ -1,0 +1,138 @@
+//! The claims of `prove`, by provers that know nothing of this crate.
+
+use crate::run::{Ran, run_in};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::OnceLock;
+use std::time::{Duration, Instant};
+
+const QUESTIONS: [&str; 4] = ["sgi-4k", "tiny", "d3d11", "--table"];
+
+pub(crate) fn z3_agrees_with_every_claim(_: &str) {
+    agrees("z3");
+}
+
+pub(crate) fn gappa_agrees_with_every_claim(_: &str) {
+    agrees("gappa");
+}
+
+/// What `prove --check` says of each question; it asks both provers, and is asked once.
+fn reports() -> &'static [(&'static str, serde_json::Value)] {
+    static REPORTS: OnceLock<Vec<(&str, serde_json::Value)>> = OnceLock::new();
+    REPORTS.get_or_init(|| {
+        let home = tempfile::tempdir().unwrap();
+        let report = |question| {
+            let ran = run_in(home.path(), &format!("prove {question} --check --json")).ends(0);
+            (question, serde_json::from_str(&ran.out).unwrap())
+        };
+        QUESTIONS.map(report).into()
+    })
+}
+
+/// A prover is asked about each claim that it takes, and doubts none.
+fn agrees(prover: &str) {
+    for (question, report) in reports() {
+        let (rows, checks) = (report["rows"].as_array(), report["checks"].as_array());
+        let claims = |list: Option<&Vec<serde_json::Value>>| -> Vec<String> {
+            let names = list.unwrap().iter().map(|one| one["claim"].as_str().unwrap().to_owned());
+            names.collect()
+        };
+        let mine: Vec<_> =
+            checks.unwrap().iter().filter(|one| one["solver"] == prover).cloned().collect();
+        assert!(mine.iter().all(|one| one["answer"] == "agrees"), "{question}: {mine:#?}");
+        let mut asked = claims(rows);
+        // Gappa's language has no products of unknowns.
+        let taken = ["edge.full", "edge.stored", "depth.interpolation"];
+        asked.retain(|claim| prover == "z3" || taken.contains(&&**claim));
+        assert!(asked.len() >= 3, "{question}: {asked:?}");
+        assert_eq!(claims(Some(&mine)), asked, "{question}");
+    }
+}
+
+/// Writes the claims, and gives the text and the bits of `edge.full`.
+fn written(home: &Path, question: &str, option: &str) -> (String, u32) {
+    let ran = run_in(home, &format!("prove {question} {option} claims --json")).ends(0);
+    let report: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    let rows = report["rows"].as_array().unwrap();
+    let full = rows.iter().find(|row| row["claim"] == "edge.full").unwrap();
+    let bits = u32::try_from(full["bits"].as_u64().unwrap()).unwrap();
+    (fs::read_to_string(home.join("claims")).unwrap(), bits)
+}
+
+/// Hands a text to a prover's program.
+fn ask(home: &Path, prover: &str, text: &str, limit: Duration) -> Ran {
+    fs::write(home.join("asked"), text).unwrap();
+    let begin = Instant::now();
+    let mut command = Command::new(prover);
+    let output = command.arg(home.join("asked")).stdin(Stdio::null()).output().unwrap();
+    assert!(begin.elapsed() < limit, "{prover} took {:?}", begin.elapsed());
+    output.into()
+}
+
+/// What z3 was to say about each claim, and what it said.
+fn answers(ran: &Ran) -> Vec<(&str, &str, &str)> {
+    let lines: Vec<&str> = ran.out.lines().collect();
+    lines
+        .chunks(2)
+        .map(|pair| {
+            let (claim, expected) = pair[0].split_once(", expect ").unwrap();
+            (claim, expected, pair[1])
+        })
+        .collect()
+}
+
+/// The text with one number changed, the first after a place.
+fn spoiled(text: &str, place: &str, from: &str, to: &str) -> String {
+    let at = text.find(place).unwrap_or_else(|| panic!("{place:?} is not in {text}"));
+    let (before, after) = text.split_at(at);
+    assert!(after.contains(from), "{from} is not in {after}");
+    before.to_owned() + &after.replacen(from, to, 1)
+}
+
+pub(crate) fn z3_reads_the_file_and_refutes_a_spoiled_one(z3: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let home = home.path();
+    for question in QUESTIONS {
+        let (text, bits) = written(home, question, "--smt");
+        let ran = ask(home, z3, &text, Duration::from_secs(10)).ends(0);
+        let good = answers(&ran);
+        assert_eq!(good.len(), text.matches("(check-sat)").count(), "{question}");
+        assert_eq!(good.len(), text.matches("; expect: ").count(), "{question}");
+        for (claim, expected, answer) in &good {
+            assert_eq!(answer, expected, "{question} {claim}");
+        }
+        for wanted in ["sat", "unsat"] {
+            assert!(good.iter().any(|one| one.1 == wanted), "{question}: no {wanted} is expected");
+        }
+        // Half of the most that the word holds: as if one bit less were claimed to be enough.
+        let most = |bits: u32| format!("{}.0)", (1_u128 << (bits - 1)) - 1);
+        let text = spoiled(&text, "; edge.full", &most(bits), &most(bits - 1));
+        let ran = ask(home, z3, &text, Duration::from_secs(10)).ends(0);
+        let wrong: Vec<_> =
+            answers(&ran).into_iter().filter(|(_, expected, answer)| answer != expected).collect();
+        let claim = format!("edge.full with {bits} bits");
+        assert_eq!(wrong, [(&*claim, "unsat", "sat")], "{question}");
+    }
+}
+
+pub(crate) fn gappa_reads_the_file_and_refuses_a_spoiled_one(gappa: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let home = home.path();
+    for question in QUESTIONS {
+        let (text, bits) = written(home, question, "--gappa");
+        let ran = ask(home, gappa, &text, Duration::from_mins(1)).ends(0);
+        assert!(!ran.err.contains("Error"), "{question}: {}", ran.err);
+        // In a table's hundreds of claims it looks for better proofs for too long.
+        if question == "--table" {
+            continue;
+        }
+        let most = |bits: u32| format!(", {}]", (1_u128 << (bits - 1)) - 1);
+        let text = spoiled(&text, "{ ", &most(bits), &most(bits - 1));
+        let ran = ask(home, gappa, &text, Duration::from_mins(1));
+        assert_eq!(ran.status, Some(1), "{question}: {}", ran.err);
+        // It read the file, and found no proof.
+        let found = ["properties were not satisfied", "no contradiction was found"];
+        assert!(found.iter().any(|text| ran.err.contains(text)), "{question}: {}", ran.err);
+    }
+}
