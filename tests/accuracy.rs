@@ -1,5 +1,5 @@
 //! Errors summed in closed form, against the truth sample by sample: rationals, hits counted one by
-//! one, and the values that the model really draws. Clauses M-1 to M-7.
+//! one, and the values that the model really draws. Clauses M-1, M-2, M-3, M-4, M-5, M-6, M-7.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 #![allow(clippy::cast_precision_loss, reason = "errors are real numbers")]
 

@@ -1,5 +1,5 @@
 //! The search for the cheapest budget, against a search that measures everything.
-//! Clauses.
+//! Clauses.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::case::Words;

@@ -1,6 +1,6 @@
 //! What a scene requires, against every sample of it. Clause M-8.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
-#![allow(clippy::cast_precision_loss, reason = "ranges are real numbers")]
+#![allow(clippy::cast_precision_loss, clippy::float_cmp, reason = "the very numbers are meant")]
 
 use guardbit::bits::Event;
 use guardbit::case::Words;

@@ -1,6 +1,6 @@
 //! A sweep that was stopped goes on from its file, and parts are joined: whatever happened to the
 //! files meanwhile, the answer is that of one run, or the file is refused and left as it is.
-//! Spec clause `Q-6`.
+//! Clause Q-6.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 #![cfg(feature = "cli")]
 
