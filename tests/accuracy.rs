@@ -20,25 +20,30 @@ use num_traits::ToPrimitive;
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+/// A place in a list of so many.
+fn index(words: &mut Words, count: u64) -> usize {
+    usize::try_from(words.below(count)).unwrap()
+}
+
 /// The profile of a random case: a toy with every knob turned.
 fn profile(words: &mut Words) -> Profile {
     let mut profile = load("tiny").unwrap();
     profile.window = WindowConfig { width: 11, height: 9 };
     profile.vertex.integer = 4;
     profile.vertex.sub_pixel = 1 + u32::try_from(words.below(3)).unwrap();
-    profile.vertex.snap = Rounding::ALL[usize::try_from(words.below(10)).unwrap()];
+    profile.vertex.snap = Rounding::ALL[index(words, 10)];
     let pick = |words: &mut Words, n: u64| u32::try_from(words.below(n)).unwrap();
     profile.form = if words.below(3) == 0 {
         Form::EdgeWalk(EdgeWalkConfig {
             guard: 1,
             integer: 4,
             fraction: pick(words, 6),
-            rounding: Rounding::ALL[words.below(10) as usize],
+            rounding: Rounding::ALL[index(words, 10)],
         })
     } else {
         Form::EdgeFunction(EdgeWordConfig {
-            rule: FillRule::ALL[words.below(2) as usize],
-            storage: [EdgeStorage::Full, EdgeStorage::Shifted][words.below(2) as usize],
+            rule: FillRule::ALL[index(words, 2)],
+            storage: [EdgeStorage::Full, EdgeStorage::Shifted][index(words, 2)],
             width: 6 + pick(words, 12),
         })
     };
@@ -46,13 +51,13 @@ fn profile(words: &mut Words) -> Profile {
         guard: pick(words, 3),
         integer: 2 + pick(words, 4),
         interpolation: pick(words, 6),
-        rounding: Rounding::ALL[words.below(10) as usize],
+        rounding: Rounding::ALL[index(words, 10)],
         division: match words.below(3) {
             0 => Division::Reciprocal { bits: 3 + pick(words, 8) },
             _ => Division::Quotient,
         },
-        clamp: [Clamp::Wrap, Clamp::Guard, Clamp::Sign, Clamp::Saturate][words.below(4) as usize],
-        start_bias: [StartBias::None, StartBias::Half][words.below(2) as usize],
+        clamp: [Clamp::Wrap, Clamp::Guard, Clamp::Sign, Clamp::Saturate][index(words, 4)],
+        start_bias: [StartBias::None, StartBias::Half][index(words, 2)],
     });
     profile.validate().unwrap();
     profile
