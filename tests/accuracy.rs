@@ -370,3 +370,32 @@ fn distance_is_worth_most_where_it_changes_most() {
     near(lens.steepness(1.0), 90.0, "at the far plane");
     assert_eq!(ratio(1, 2), Some(exact::dyadic(1, 1)));
 }
+
+/// A code of 64 bits is no real number: neither a finer grid nor the order of surfaces may take it
+/// for one.
+#[test]
+fn depth_of_64_bits_keeps_every_bit() {
+    let mut base = load("tiny").unwrap();
+    let top = i128::from(u64::MAX);
+    base.depth = base.depth.map(|d| DepthConfig { integer: 64, interpolation: 12, ..d });
+    let face = |xy, z| scene::Triangle::Lattice { xy, z: Some(z) };
+    let small = [[0, 0], [7, 1], [1, 7]];
+    let large = [[0, 0], [8, 0], [0, 8]];
+    // One code apart from vertex to vertex: no evaluator that is less than half a code off exchanges
+    // any two.
+    let near = |xy| face(xy, [top - 1, 0, 0]);
+    let far = |xy| face(xy, [top, 1, 1]);
+    let given = vec![near(large), far(large), near(small), far(small)];
+    let stage = stage_of(given.clone(), None, &base);
+    let drawn = Drawn::new(&stage, &base).unwrap();
+    let tally = measure(&stage, &drawn, &base).tally;
+    assert!(tally.depth.ulp.worst < 0.5);
+    assert_eq!((tally.inversions, tally.ties), (0, 0));
+
+    let scene = Scene { name: "deep".to_owned(), triangles: given, dropped: 0, lens: None };
+    let reference = Reference::new(scene, &base);
+    let mut finer = base.clone();
+    finer.vertex.sub_pixel = 3;
+    let moved = reference.triangle(1, &finer);
+    assert_eq!(moved, face(large.map(|v| v.map(|n| n << 2)), [top, 1, 1]));
+}

@@ -387,3 +387,48 @@ fn what_is_no_space_says_why() {
     // What is invalid in part is searched in part.
     assert!(space(&["interpolation=3,125"]).is_ok());
 }
+
+/// Fourteen triangles in half pixels: an edge walk of one fraction bit loses samples at which depth
+/// leaves its range, and no sample that it draws does.
+const UNDRAWN: [[[i128; 3]; 3]; 14] = [
+    [[7, 8, 7], [0, 0, 7], [8, 8, 7]],
+    [[1, 7, 3], [2, 8, 7], [2, 8, 3]],
+    [[2, 0, 5], [0, 4, 7], [2, 1, 0]],
+    [[5, 5, 0], [0, 3, 0], [0, 7, 3]],
+    [[2, 0, 0], [5, 2, 0], [4, 4, 7]],
+    [[4, 7, 7], [8, 0, 0], [1, 6, 7]],
+    [[7, 4, 0], [4, 0, 0], [5, 3, 0]],
+    [[8, 5, 7], [0, 1, 5], [4, 2, 7]],
+    [[4, 7, 7], [5, 8, 7], [6, 1, 0]],
+    [[8, 2, 7], [6, 7, 1], [6, 6, 3]],
+    [[4, 7, 3], [7, 8, 5], [6, 3, 0]],
+    [[2, 4, 7], [0, 6, 7], [3, 6, 3]],
+    [[6, 6, 0], [4, 2, 0], [3, 0, 0]],
+    [[5, 4, 3], [5, 6, 0], [0, 1, 7]],
+];
+
+/// The order of surfaces counts at samples that are not drawn, too: guard bits that hold every value
+/// drawn are not alike when they do not hold those.
+#[test]
+fn guard_bits_decide_the_order_at_samples_that_are_not_drawn() {
+    let triangle = |v: [[i128; 3]; 3]| scene::Triangle::Lattice {
+        xy: v.map(|[x, y, _]| [x, y]),
+        z: Some(v.map(|[.., z]| z)),
+    };
+    let base = load("tiny").unwrap();
+    let swept = |guard: &str| {
+        let axes = ["form=edge-walk", "walk-fraction=1", "interpolation=0", guard];
+        sweep(&base, &axes, UNDRAWN.map(triangle).to_vec())
+    };
+    let inversions = |sweep: &Sweep| -> Vec<u64> {
+        let of = |record: &Record| record.accuracy.arithmetic.inversions;
+        records(sweep, 1).iter().map(of).collect()
+    };
+    let each: Vec<u64> =
+        ["guard=0", "guard=1", "guard=2"].iter().flat_map(|g| inversions(&swept(g))).collect();
+    assert!(each[0] > each[1], "{each:?}");
+    let all = swept("guard=0..2");
+    assert_eq!(inversions(&all), each);
+    let limit = format!("inversions={}", each[1]);
+    assert_eq!(answer(&request(&all, &[&limit], "area")), Some(1));
+}

@@ -75,8 +75,8 @@ pub enum SpaceError {
     /// A value that the field does not take.
     #[error(transparent)]
     Field(#[from] FieldError),
-    /// More budgets than can be numbered.
-    #[error("the axes span more than 2^32 budgets: give one of them fewer values")]
+    /// More budgets than results can be kept of.
+    #[error("the axes span more than 2^20 budgets: give one of them fewer values")]
     Large,
     /// Not one of them is a budget.
     #[error("none of the {count} budgets of this space is possible; the first: {source}")]
@@ -87,6 +87,10 @@ pub enum SpaceError {
         source: Box<InvalidProfile>,
     },
 }
+
+/// As many results as fit a machine's memory, and a space of which none is possible is seen to be
+/// one within seconds.
+const MOST_BUDGETS: u64 = 1 << 20;
 
 /// No word is wider, so no field has more values.
 const MOST_VALUES: u64 = 256;
@@ -163,7 +167,7 @@ impl Space {
         let space = Self { base, axes, follows };
         space.fields_exist()?;
         let count = space.axes.iter().try_fold(1u64, |count, axis| {
-            count.checked_mul(axis.values.len() as u64).filter(|count| *count <= 1 << 32)
+            count.checked_mul(axis.values.len() as u64).filter(|count| *count <= MOST_BUDGETS)
         });
         let count = count.ok_or(SpaceError::Large)?;
         let mut first = None;

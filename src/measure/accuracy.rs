@@ -50,6 +50,8 @@ pub struct Measured {
     pub depth: Reach,
     /// The same of the attribute.
     pub attribute: Reach,
+    /// The same of the depth accumulators that decided an order, drawn or not.
+    pub order: Reach,
 }
 
 impl Measured {
@@ -57,31 +59,36 @@ impl Measured {
     /// of guard bits that does so, unless the clamp is sticky. Spec clause `Q-8`.
     pub fn held_by(&self, read: ReadOut) -> bool {
         let holds = |reach: &Reach| reach.within(read.range());
-        read.clamp() != Clamp::Saturate && holds(&self.depth) && holds(&self.attribute)
+        read.clamp() != Clamp::Saturate
+            && [&self.depth, &self.attribute, &self.order].into_iter().all(holds)
     }
 }
 
 /// The arithmetic error of one profile, on a stage and a coverage that were made for it.
 pub fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile) -> Measured {
     let none = Reach::default();
-    let mut measured = Measured { tally: drawn.tally, depth: none, attribute: none };
+    let mut measured = Measured { tally: drawn.tally, depth: none, attribute: none, order: none };
     let Some(depth) = depth_of(profile) else { return measured };
     let mut values = Values::default();
     for (n, face) in stage.faces.iter().enumerate() {
         face_values(stage, &depth, face, drawn.runs(stage, n), &mut values);
     }
-    finish(stage, &depth, &values, &mut measured.tally);
-    Measured { depth: values.depth_extent, attribute: values.attribute_extent, ..measured }
+    let order = finish(stage, &depth, &values, &mut measured.tally);
+    let (depth, attribute) = (values.depth_extent, values.attribute_extent);
+    Measured { depth, attribute, order, ..measured }
 }
 
-/// Puts values and the order of surfaces into a tally.
-pub fn finish(stage: &Stage, depth: &Depth, values: &Values, tally: &mut Tally) {
+/// Puts values and the order of surfaces into a tally; the depth accumulators that decided the
+/// order.
+pub fn finish(stage: &Stage, depth: &Depth, values: &Values, tally: &mut Tally) -> Reach {
     // A sample that is not drawn still has its place in the order, and a wrap knows no bound.
     let bounded = !values.wrapped() && values.depth.ulp.count == stage.depth_samples;
     let worst = if bounded { values.depth.ulp.worst } else { f64::INFINITY };
-    (tally.inversions, tally.ties) = order::broken(stage, depth, worst);
+    let order;
+    (tally.inversions, tally.ties, order) = order::broken(stage, depth, worst);
     tally.depth = values.depth;
     tally.attribute = values.attribute;
     tally.wraps = values.wraps;
     tally.clamps = values.clamps;
+    order
 }

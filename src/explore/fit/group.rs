@@ -4,7 +4,7 @@ use crate::cover::{EdgeWordConfig, SampleConfig};
 use crate::explore::field::Level;
 use crate::explore::sweep;
 use crate::explore::tolerance::{Tolerance, exceeded};
-use crate::format::Clamp;
+use crate::format::{Clamp, ReadOut};
 use crate::measure::accuracy::{Accuracy, Drawn, Reach, Stage, Tally, Values, needed_width};
 use crate::profile::{Form, InvalidProfile, Profile, WindowConfig};
 use crate::setup::VertexConfig;
@@ -61,6 +61,8 @@ pub(super) struct Plane {
     /// Accumulators seen, on all samples or not.
     pub(super) depth: Reach,
     pub(super) attribute: Reach,
+    /// Accumulators that decided an order of surfaces, at samples that were drawn or not.
+    pub(super) order: Reach,
     /// The figures of every number of guard bits that holds all accumulators.
     pub(super) whole: Option<Tally>,
 }
@@ -69,6 +71,11 @@ impl Plane {
     pub(super) fn widen(&mut self, values: &Values) {
         self.depth.widen(values.depth_extent);
         self.attribute.widen(values.attribute_extent);
+    }
+
+    /// Whether a read-out tells all accumulators that were seen apart.
+    pub(super) fn held_by(&self, read: ReadOut) -> bool {
+        [&self.depth, &self.attribute, &self.order].into_iter().all(|r| r.within(read.range()))
     }
 }
 
@@ -81,7 +88,8 @@ impl Coverage {
         let at = self.planes.iter().position(|plane| plane.config == config);
         let at = at.unwrap_or_else(|| {
             let none = Reach::default();
-            self.planes.push(Plane { config, depth: none, attribute: none, whole: None });
+            let plane = Plane { config, depth: none, attribute: none, order: none, whole: None };
+            self.planes.push(plane);
             self.planes.len() - 1
         });
         &mut self.planes[at]

@@ -7,7 +7,7 @@ use crate::explore::field::Level;
 use crate::explore::sweep::Sweep;
 use crate::explore::tolerance::{Tolerance, exceeded};
 use crate::format::Clamp;
-use crate::measure::accuracy::{Accuracy, Tally, Values, depth_of, face_values, finish};
+use crate::measure::accuracy::{Accuracy, Reach, Tally, Values, depth_of, face_values, finish};
 use crate::profile::{InvalidProfile, Profile};
 
 /// What the answer for a budget is.
@@ -96,8 +96,7 @@ impl<'a> Judge<'a> {
             return Verdict::Fails;
         }
         if let Some(tally) = plane.whole
-            && held
-            && plane.attribute.within(read.range())
+            && plane.held_by(read)
         {
             self.effort.by_sameness += 1;
             return self.conclude(group.report(&tally));
@@ -124,6 +123,7 @@ impl<'a> Judge<'a> {
             return Verdict::Fails;
         }
         let (mut all, mut arithmetic) = (Values::default(), Tally::default());
+        let mut order = Reach::default();
         for (scene, (stage, drawn)) in group.stages.iter().zip(drawn).enumerate() {
             let mut values = Values::default();
             for (n, face) in stage.faces.iter().enumerate() {
@@ -143,15 +143,15 @@ impl<'a> Judge<'a> {
                 }
             }
             let mut tally = drawn.tally;
-            finish(stage, &depth, &values, &mut tally);
+            order.widen(finish(stage, &depth, &values, &mut tally));
             arithmetic.merge(&tally);
             all.merge(&values);
         }
         self.effort.evaluated += 1;
         let plane = group.coverages[at].plane(config);
         plane.widen(&all);
-        let held = plane.depth.within(read.range()) && plane.attribute.within(read.range());
-        if held && read.clamp() != Clamp::Saturate {
+        plane.order.widen(order);
+        if plane.held_by(read) && read.clamp() != Clamp::Saturate {
             plane.whole = Some(arithmetic);
         }
         self.conclude(group.report(&arithmetic))

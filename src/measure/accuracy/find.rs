@@ -133,8 +133,8 @@ impl Stage {
     pub fn broken(&self, profile: &Profile, wanted: Ordering) -> Option<Place> {
         let depth = super::depth_of(profile)?;
         let pair = order::pairs_in_order(self, &depth, &self.pairs)
-            .find(|(_, order)| *order == wanted)
-            .map(|(pair, _)| pair)?;
+            .find(|(_, order, _)| *order == wanted)
+            .map(|(pair, ..)| pair)?;
         Some(self.pair_place(pair, wanted))
     }
 

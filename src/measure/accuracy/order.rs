@@ -2,6 +2,7 @@
 //! Spec clause `M-7`.
 
 use super::stage::{Face, Stage, Surface};
+use super::value::Reach;
 use crate::exact::integer;
 use crate::setup::Plane;
 use crate::value::Depth;
@@ -63,7 +64,7 @@ pub(super) fn neighbours(stage: &Stage) -> Neighbours {
             sort_layers(stage, [x, y], pixel.iter().map(|hit| hit.1), &mut layers);
             for two in layers.windows(2) {
                 let [near, far] = [two[0].face, two[1].face];
-                let gap = (two[1].code - two[0].code) * (1.0 - 1e-9) - CLOSE;
+                let gap = (two[1].code - two[0].code) * (1.0 - 1e-9) - close(stage);
                 let pair = Pair { near, far, x, y, gap };
                 let before = before_snapping(stage, [x, y], [near, far]);
                 if order(stage, [x, y], &two[0], &two[1]) == Ordering::Equal {
@@ -102,14 +103,17 @@ fn surface(stage: &Stage, face: u32) -> Option<&Surface> {
     stage.faces[face as usize].depth.as_ref()
 }
 
-/// Codes closer than this, beside their own size, are compared as rationals.
-const CLOSE: f64 = 1e-6;
+/// Codes closer than this are compared as rationals. A real code is off by some 2^-50 of the whole
+/// range however small it is itself, as it is a sum of larger ones.
+fn close(stage: &Stage) -> f64 {
+    1e-6 * (1.0 + stage.world.top * 1e-6)
+}
 
 /// The exact order of two layers: by their real codes where those are clearly apart, by rationals
 /// where they are not.
 fn order(stage: &Stage, [x, y]: [u32; 2], a: &Layer, b: &Layer) -> Ordering {
     let apart = a.code - b.code;
-    if apart.abs() > CLOSE * (1.0 + a.code.abs() * CLOSE) {
+    if apart.abs() > close(stage) {
         return apart.total_cmp(&0.0);
     }
     let at = stage.grid.position(x.into(), y.into());
@@ -133,29 +137,30 @@ pub(super) fn before_snapping(
     Some(depth(faces[0])?.total_cmp(&depth(faces[1])?))
 }
 
-/// Pairs that a depth evaluator exchanges, and pairs that it makes equal. `worst` bounds its error
-/// at every sample in ULP; infinity where there is no bound.
-pub(super) fn broken(stage: &Stage, depth: &Depth, worst: f64) -> (u64, u64) {
+/// Pairs that a depth evaluator exchanges, pairs that it makes equal, and the accumulators that
+/// decided. `worst` bounds its error at every sample in ULP; infinity where there is no bound.
+pub(super) fn broken(stage: &Stage, depth: &Depth, worst: f64) -> (u64, u64, Reach) {
     // Codes are floors: equal ones are less than 1 apart, each off by `worst` at most.
     let reach = 1.0 + 2.0 * worst;
     let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
-    let (mut inversions, mut ties) = (0, 0);
-    for (_, order) in pairs_in_order(stage, depth, pairs) {
+    let (mut inversions, mut ties, mut reach) = (0, 0, Reach::default());
+    for (_, order, accumulators) in pairs_in_order(stage, depth, pairs) {
+        reach.widen(accumulators);
         match order {
             Ordering::Less => {}
             Ordering::Equal => ties += 1,
             Ordering::Greater => inversions += 1,
         }
     }
-    (inversions, ties)
+    (inversions, ties, reach)
 }
 
-/// Pairs of a stage, and the order that a depth evaluator gives each.
+/// Pairs of a stage, the order that a depth evaluator gives each, and its accumulators there.
 pub(super) fn pairs_in_order<'a>(
     stage: &'a Stage,
     depth: &'a Depth,
     pairs: &'a [Pair],
-) -> impl Iterator<Item = (&'a Pair, Ordering)> {
+) -> impl Iterator<Item = (&'a Pair, Ordering, Reach)> {
     let plane = |face: &Face| {
         let vertex = face.depth.as_ref()?.vertex;
         Some(depth.plane(&face.triangle, vertex, &stage.grid))
@@ -169,8 +174,15 @@ pub(super) fn pairs_in_order<'a>(
             let index = face as usize;
             let made = prepared.get(index).copied();
             let plane = made.unwrap_or_else(|| plane(&stage.faces[index]))?;
-            Some(depth.held(&plane, pair.x, pair.y) >> depth.read_out().fraction())
+            let accumulator = plane.at(pair.x.into(), pair.y.into());
+            let held = depth.held(&plane, pair.x, pair.y);
+            Some((held >> depth.read_out().fraction(), accumulator))
         };
-        (pair, code(pair.near).cmp(&code(pair.far)))
+        let (near, far) = (code(pair.near), code(pair.far));
+        let mut reach = Reach::default();
+        for (_, accumulator) in [near, far].into_iter().flatten() {
+            reach.widen(Reach(Some((accumulator, accumulator))));
+        }
+        (pair, near.map(|near| near.0).cmp(&far.map(|far| far.0)), reach)
     })
 }

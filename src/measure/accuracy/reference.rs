@@ -107,6 +107,16 @@ impl Reference {
             {
                 scene::Triangle::Lattice { xy: *xy, z: *z }
             }
+            // A finer grid has every point of this one; a code of 64 bits is no real number.
+            scene::Triangle::Lattice { xy, z }
+                if from == to && self.sub_pixel < profile.vertex.sub_pixel =>
+            {
+                let finer = 1 << (profile.vertex.sub_pixel - self.sub_pixel);
+                scene::Triangle::Lattice {
+                    xy: xy.map(|v| v.map(|value: i128| value.saturating_mul(finer))),
+                    z: *z,
+                }
+            }
             scene::Triangle::Lattice { xy, z } => {
                 let pixel = real(1 << self.sub_pixel);
                 scene::Triangle::Real {
