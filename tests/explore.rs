@@ -214,7 +214,7 @@ fn the_extremes_break_where_they_have_to() {
     // is worth 2^16 / 2^d of the distance there. 24 bits just hold them apart.
     assert!(breaks("w toward zero").as_u64().unwrap() < 24);
     let walk = run_in(home.path(), "explore sgi-4k-walk --extremes").ends(0).out;
-    assert!(walk.contains("holds   at none of 1 values of walk-fraction"), "{walk}");
+    assert!(walk.contains("holds   at no value of walk-fraction"), "{walk}");
     run_in(home.path(), "explore tiny --extremes --vary guard=1").complains(2, &["--extremes"]);
     run_in(home.path(), "explore tiny --extremes --window 0x4").complains(2, &["65536"]);
 }
@@ -261,4 +261,33 @@ fn files_are_written_whole_or_not_at_all() {
         run_in(home.path(), &command).complains(3, &["missing/folder"]);
     }
     assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn an_answer_that_draws_nothing_is_no_answer() {
+    let home = home();
+    let write = |name: &str, text: &str| std::fs::write(home.path().join(name), text).unwrap();
+    write("one.jsonl", "{\"v\":[[1,1,0],[7,2,7],[2,7,3]]}\n");
+    write("far.jsonl", "{\"v\":[[1,1,0],[99999999999,2,7],[2,7,3]]}\n");
+    write("flat.jsonl", "{\"v\":[[1,1],[7,2],[2,7]]}\n");
+    // A field that refuses the triangle is cheap, and out of the question unless it is allowed.
+    let space = "fit tiny --scene one.jsonl --vary vertex-integer=0..3 --vary interpolation=0..3";
+    let fit = json(&run_in(home.path(), &format!("{space} --json")).ends(0));
+    assert_eq!(fit["budget"]["vertex-integer"], 2);
+    assert_eq!(fit["witness"]["vertex-integer"]["metric"], "snap-refused");
+    let allowed = run_in(home.path(), &format!("{space} --within snap-refused=1"));
+    allowed.complains(2, &["no sample"]);
+    // Naming one tolerance gives up none of the others.
+    let named = format!("{space} --within depth-worst=2 --json");
+    assert_eq!(json(&run_in(home.path(), &named).ends(0))["within"]["misclassified"]["limit"], 0.0);
+    let none = run_in(home.path(), "fit tiny --scene far.jsonl --vary interpolation=0..3");
+    none.complains(2, &["snap-refused <= 0: the least is 1"]);
+    let flat = run_in(home.path(), "fit tiny --scene flat.jsonl --vary interpolation=0..3").ends(0);
+    assert!(
+        flat.err.contains("note: depth-worst <= 0.5 holds for want of a figure"),
+        "{}",
+        flat.err
+    );
+    let table = run_in(home.path(), "explore tiny --scene far.jsonl --no-speed").ends(0).out;
+    assert!(table.contains("snap-refused"), "{table}");
 }

@@ -25,6 +25,7 @@ use guardbit::profile::{self, Profile};
 use guardbit::scene;
 use guardbit::vector::plan::Shard;
 use session::Session;
+pub(crate) use session::{PATIENCE, in_words};
 use std::io::Write;
 use std::path::PathBuf;
 pub(crate) use table::{FIGURES, figure, help as columns_help};
@@ -156,7 +157,9 @@ fn default_axes(base: &Profile) -> Vec<Axis> {
 
 /// What budgets are weighed by where nothing else is named.
 fn default_objectives() -> Vec<Metric> {
-    let names = ["area", "misclassified", "snap-misclassified", "depth-rms-world", "wraps"];
+    // What is refused is not drawn, and so is never wrong.
+    let names =
+        ["area", "misclassified", "snap-misclassified", "depth-rms-world", "wraps", "snap-refused"];
     names.into_iter().filter_map(Metric::find).collect()
 }
 

@@ -5,15 +5,16 @@ mod print;
 mod report;
 
 use super::Outcome;
-use super::explore::{SpaceArguments, columns_help, parse_metric};
+use super::explore::{PATIENCE, SpaceArguments, columns_help, in_words, parse_metric};
 use super::failure::Failure;
 use super::output::{Output, write_whole};
 use super::progress;
 use super::vectors::{parse_shard, threads};
 use guardbit::explore::field::{Field, Value, exact_width};
-use guardbit::explore::fit::{Least, Request, exhaustive, fit, least};
+use guardbit::explore::fit::{Best, Least, Request, exhaustive, fit, least};
 use guardbit::explore::metric::Metric;
 use guardbit::explore::space::{Axis, Point};
+use guardbit::explore::sweep::Sweep;
 use guardbit::explore::tolerance::Tolerance;
 use guardbit::profile::Profile;
 use guardbit::vector::plan::Shard;
@@ -28,8 +29,9 @@ use std::sync::atomic::Ordering;
 pub(crate) struct Arguments {
     #[command(flatten)]
     space: SpaceArguments,
-    /// A figure and the most it may be, such as depth-worst=0.5; again for each further one. By
-    /// default misclassified=0, wraps=0 and depth-worst=0.5.
+    /// A figure and the most it may be, such as depth-worst=0.5; again for each further one. Where
+    /// they are not named, misclassified=0, wraps=0 and snap-refused=0 hold as well; depth-worst=0.5
+    /// where nothing is named.
     #[arg(long = "within", value_name = "METRIC=LIMIT", value_parser = parse_tolerance)]
     tolerances: Vec<Tolerance>,
     /// What is to be small, one of the metrics of cost.
@@ -88,10 +90,37 @@ fn default_axes(base: &Profile) -> Vec<Axis> {
     axes
 }
 
-fn default_tolerances() -> Vec<Tolerance> {
-    let defaults = [("misclassified", 0.0), ("wraps", 0.0), ("depth-worst", 0.5)];
-    let found = |(name, limit)| Some(Tolerance { metric: Metric::find(name)?, limit });
-    defaults.into_iter().filter_map(found).collect()
+/// What is asked for, and what nobody would give up without saying so: a budget that draws wrong
+/// samples, or nothing, is cheap.
+fn with_defaults(mut tolerances: Vec<Tolerance>) -> Vec<Tolerance> {
+    let mut defaults = vec![("misclassified", 0.0), ("wraps", 0.0), ("snap-refused", 0.0)];
+    if tolerances.is_empty() {
+        defaults.push(("depth-worst", 0.5));
+    }
+    for (name, limit) in defaults {
+        let named = tolerances.iter().any(|tolerance| tolerance.metric.name == name);
+        if let (false, Some(metric)) = (named, Metric::find(name)) {
+            tolerances.push(Tolerance { metric, limit });
+        }
+    }
+    tolerances
+}
+
+/// Refuses an answer about nothing, and says which tolerance has no figure to hold.
+fn look_for_nothing(best: &Best, tolerances: &[Tolerance]) -> Result<(), Failure> {
+    if best.accuracy.samples == 0 {
+        let message = "the scenes cover no sample of the window: any budget would do";
+        return Err(Failure::input(message).hint("choose another --scene or --window"));
+    }
+    for Tolerance { metric, limit } in tolerances {
+        if metric.of_accuracy(&best.accuracy).is_none() {
+            let name = metric.name;
+            eprintln!(
+                "note: {name} <= {limit} holds for want of a figure: nothing drawn has depth"
+            );
+        }
+    }
+    Ok(())
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -103,11 +132,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(Failure::input(message).hint("costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits, setup-bits"));
     }
     let sweep = arguments.space.sweep(default_axes)?;
-    let tolerances = if arguments.tolerances.is_empty() {
-        default_tolerances()
-    } else {
-        arguments.tolerances.clone()
-    };
+    let tolerances = with_defaults(arguments.tolerances.clone());
     let (first, end) = arguments.shard.unwrap_or(Shard::WHOLE).range(sweep.space.len());
     let request = Request {
         sweep: &sweep,
@@ -119,6 +144,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let report = if arguments.exhaustive {
         return run_exhaustive(arguments, &request);
     } else if arguments.merge.is_empty() {
+        announce(&sweep)?;
         let monitor = progress::monitor();
         let found = progress::watch("searching", &monitor, || {
             fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
@@ -126,6 +152,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let Some(found) = found else {
             return Err(Failure::interrupted("interrupted: nothing was found by then"));
         };
+        if let Some(best) = &found.best {
+            look_for_nothing(best, &request.tolerances)?;
+        }
         Report::new(&request, &arguments.space.scenes, arguments.shard, &found)
     } else {
         merge::merge(&request, &arguments.merge)?
@@ -157,6 +186,21 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     report.print(&mut output, &sweep)?;
     output.flush()?;
     Ok(Outcome::Good)
+}
+
+/// Says how long a search can take at the worst: with nothing left out, on one thread.
+fn announce(sweep: &Sweep) -> Result<(), Failure> {
+    if sweep.space.len() < 64 {
+        return Ok(());
+    }
+    let all = sweep.expected(1).map_err(Failure::input)?;
+    if all > PATIENCE {
+        let (budgets, time) = (sweep.space.len(), in_words(all));
+        eprintln!(
+            "note: measuring all {budgets} budgets would take about {time}; a search leaves most out"
+        );
+    }
+    Ok(())
 }
 
 /// Says which tolerance is out of reach, and the nearest that is not.

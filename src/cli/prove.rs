@@ -118,8 +118,8 @@ fn ask(arguments: &Arguments) -> Result<(String, Vec<Proof>), Failure> {
         (about, prove::prove(&question))
     };
     let mut names: Vec<String> = proofs.iter().map(|proof| proof.claim.clone()).collect();
+    names.sort_unstable();
     names.dedup();
-    names.truncate(12);
     proofs.retain(|proof| proof.claim.starts_with(&arguments.claim));
     if proofs.is_empty() {
         let message = format!("--claim {:?}: no claim's name begins so", arguments.claim);

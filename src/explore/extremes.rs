@@ -44,8 +44,8 @@ pub struct Extreme {
     pub holds: Option<(Value, f64)>,
     /// The first value that broke; `None` if none did.
     pub breaks: Option<Box<Witness>>,
-    /// How many values were tried.
-    pub tried: usize,
+    /// The last value that was tried.
+    pub last: Option<Value>,
 }
 
 /// Pushes every quantity that the profile has. `go_on` is asked between budgets; what is known when
@@ -80,7 +80,7 @@ fn run(profile: &Profile, push: Push, go_on: &dyn Fn() -> bool) -> Result<Extrem
         unreachable!("the profile is valid")
     };
     let sweep = Sweep { space, scenes };
-    let (mut holds, mut breaks, mut tried) = (None, None, 0);
+    let (mut holds, mut breaks, mut last) = (None, None, None);
     let mut stages: Option<Vec<Stage>> = None;
     for value in values {
         if !go_on() {
@@ -91,7 +91,7 @@ fn run(profile: &Profile, push: Push, go_on: &dyn Fn() -> bool) -> Result<Extrem
         if set.is_err() || changed.validate().is_err() {
             continue;
         }
-        tried += 1;
+        last = Some(value.clone());
         // A field of an inner level leaves the scene on its grid as it is.
         if field.level() == Level::Stage || stages.is_none() {
             stages = Some(sweep.stages(&changed)?);
@@ -104,7 +104,7 @@ fn run(profile: &Profile, push: Push, go_on: &dyn Fn() -> bool) -> Result<Extrem
         holds = Some((value, figure));
     }
     let (own, field) = (field.read(profile), field.name());
-    Ok(Extreme { name, pushed, field, own, tolerance, holds, breaks, tried })
+    Ok(Extreme { name, pushed, field, own, tolerance, holds, breaks, last })
 }
 
 fn figure(stages: &[Stage], profile: &Profile, metric: Metric) -> Result<f64, InvalidProfile> {

@@ -304,39 +304,31 @@ impl Space {
     /// The numbers that share everything up to a level, group by group: each group a start, whose
     /// later levels all have their first value, in the order of the axes.
     pub fn groups(&self, level: Level) -> Vec<u64> {
-        let outer = |axis: &Axis| axis.field.level() <= level;
-        let mut groups = vec![0];
-        let mut stride = self.len();
-        for axis in &self.axes {
-            let count = axis.values.len() as u64;
-            stride /= count;
-            if outer(axis) {
-                groups = groups
-                    .into_iter()
-                    .flat_map(|start| (0..count).map(move |n| start + n * stride))
-                    .collect();
-            }
-        }
-        groups
+        self.spread(0, |of| of <= level)
     }
 
     /// The numbers of a group, itself first: those that differ from it in later levels alone, up
     /// to `until`.
     pub fn members(&self, group: u64, after: Level, until: Level) -> Vec<u64> {
-        let inner = |axis: &Axis| axis.field.level() > after && axis.field.level() <= until;
-        let mut members = vec![group];
+        self.spread(group, |of| after < of && of <= until)
+    }
+
+    /// The numbers that differ from `start`, whose values are first ones there, in fields of some
+    /// levels.
+    fn spread(&self, start: u64, varies: impl Fn(Level) -> bool) -> Vec<u64> {
+        let mut numbers = vec![start];
         let mut stride = self.len();
         for axis in &self.axes {
             let count = axis.values.len() as u64;
             stride /= count;
-            if inner(axis) {
-                members = members
+            if varies(axis.field.level()) {
+                numbers = numbers
                     .into_iter()
                     .flat_map(|start| (0..count).map(move |n| start + n * stride))
                     .collect();
             }
         }
-        members
+        numbers
     }
 }
 

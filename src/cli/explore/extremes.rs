@@ -84,7 +84,7 @@ fn row(extreme: Extreme) -> Row {
 }
 
 fn print(output: &mut Output, extreme: &Extreme) -> Result<(), Failure> {
-    let Extreme { name, pushed, field, own, tolerance, holds, breaks, tried } = extreme;
+    let Extreme { name, pushed, field, own, tolerance, holds, breaks, last } = extreme;
     let metric = tolerance.metric.name;
     let limit = figure(tolerance.limit);
     output.line("")?;
@@ -95,10 +95,11 @@ fn print(output: &mut Output, extreme: &Extreme) -> Result<(), Failure> {
             "  holds   {field}={value}: {metric} {} <= {limit}{own}",
             figure(*reached)
         ))?,
-        None => output.line(format!("  holds   at none of {tried} values of {field}{own}"))?,
+        None => output.line(format!("  holds   at no value of {field}{own}"))?,
     }
     let Some(witness) = breaks else {
-        return output.line(format!("  breaks  never, down to the last of {tried} values"));
+        let last = last.as_ref().map_or(String::new(), |last| format!(", down to {field}={last}"));
+        return output.line(format!("  breaks  never{last}"));
     };
     let Witness { value, figure: got, finding, vertices, depths, place, .. } = &**witness;
     output.line(format!(

@@ -192,7 +192,8 @@ fn steepest(depth: &DepthConfig, grid: &Grid) -> Push {
     Push {
         name: "slopes to their largest",
         pushed: format!(
-            "the range of {top} over one sub-pixel, {} ULP a pixel, and over three pixels",
+            "the range of {top} over one sub-pixel, {} ULP a pixel, and over three pixels; one clamp \
+             mode after the other",
             top * p
         ),
         field: Field::Clamp,
