@@ -188,9 +188,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Good)
 }
 
-/// Says how long a search can take at the worst: with nothing left out, on one thread.
+/// Below this many budgets a search is not worth measuring first.
+const MANY: u64 = 1 << 13;
+
+/// Says how long a long search can take at the worst: with nothing left out, on one thread.
 fn announce(sweep: &Sweep) -> Result<(), Failure> {
-    if sweep.space.len() < 64 {
+    if sweep.space.len() < MANY {
         return Ok(());
     }
     let all = sweep.expected(1).map_err(Failure::input)?;

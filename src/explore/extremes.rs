@@ -98,7 +98,8 @@ fn run(profile: &Profile, push: Push, go_on: &dyn Fn() -> bool) -> Result<Extrem
         }
         let figure = figure(stages.as_deref().unwrap_or(&[]), &changed, tolerance.metric)?;
         if figure > tolerance.limit {
-            breaks = witness(&sweep, &[tolerance], &changed, value)?.map(Box::new);
+            let stages = stages.as_deref().unwrap_or(&[]);
+            breaks = witness(&sweep, stages, &[tolerance], &changed, value)?.map(Box::new);
             break;
         }
         holds = Some((value, figure));

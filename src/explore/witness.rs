@@ -31,24 +31,25 @@ pub struct Witness {
     pub finding: String,
 }
 
-/// The first tolerance that a profile exceeds, measured as a whole, and where.
+/// The first tolerance that a profile exceeds, measured as a whole, and where; on the stages of the
+/// profile's grid.
 pub(super) fn witness(
     sweep: &Sweep,
+    stages: &[Stage],
     tolerances: &[Tolerance],
     profile: &Profile,
     value: Value,
 ) -> Result<Option<Witness>, InvalidProfile> {
-    let stages = sweep.stages(profile)?;
     let (mut snap, mut arithmetic) = (Tally::default(), Tally::default());
     let mut each = Vec::new();
-    for stage in &stages {
+    for stage in stages {
         let drawn = Drawn::new(stage, profile)?;
         let own = measure(stage, &drawn, profile).tally;
         snap.merge(&stage.snap);
         arithmetic.merge(&own);
         each.push(sweep::accuracy(std::slice::from_ref(stage), &stage.snap, &own));
     }
-    let whole = sweep::accuracy(&stages, &snap, &arithmetic);
+    let whole = sweep::accuracy(stages, &snap, &arithmetic);
     let levels = [Level::Stage, Level::Coverage, Level::Value];
     let over = levels.iter().find_map(|level| exceeded(tolerances, &whole, *level));
     let Some(tolerance) = over else { return Ok(None) };

@@ -44,11 +44,14 @@ pub(super) fn lesser(
             continue;
         }
         found.push(match judge.judge(&changed)? {
-            Verdict::Fails => match witness(sweep, &judge.tolerances, &changed, Value::Bits(less))?
-            {
-                Some(witness) => Lesser::Fails(field, Box::new(witness)),
-                None => Lesser::Meets(field),
-            },
+            Verdict::Fails => {
+                let (tolerances, value) = (judge.tolerances.clone(), Value::Bits(less));
+                let stages = &judge.group(&changed)?.stages;
+                match witness(sweep, stages, &tolerances, &changed, value)? {
+                    Some(witness) => Lesser::Fails(field, Box::new(witness)),
+                    None => Lesser::Meets(field),
+                }
+            }
             _ => Lesser::Meets(field),
         });
     }
