@@ -1,5 +1,6 @@
 //! Trials that need a program from outside. Where it is missing they count as ignored, with the
-//! reason in their name; with `GUARDBIT_REQUIRE_TOOLS=1` a missing program is a failure.
+//! reason in their name; with `GUARDBIT_REQUIRE_TOOLS=1` a missing program is a
+//! failure, with `GUARDBIT_REQUIRE_HDL=1` a missing hardware tool.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "tools/prover.rs"]
@@ -66,7 +67,9 @@ impl Tool {
     fn trial(&self, name: &str, test: fn(&str)) -> Trial {
         let Some(program) = self.program() else {
             let reason = format!("{} is missing: apt-get install {}", self.name, self.package);
-            let required = std::env::var_os("GUARDBIT_REQUIRE_TOOLS").is_some_and(|v| v == "1");
+            let set = |name| std::env::var_os(name).is_some_and(|value| value == "1");
+            let hardware = self.name == SYNTHESIS.name && set("GUARDBIT_REQUIRE_HDL");
+            let required = hardware || set("GUARDBIT_REQUIRE_TOOLS");
             let name = format!("{name} ({reason})");
             return Trial::test(name, || Err(Failed::from(reason))).with_ignored_flag(!required);
         };

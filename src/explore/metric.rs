@@ -108,19 +108,19 @@ const COST: [Metric; 7] = [
     cost("setup-bits", "bits", "widest intermediate of set-up", |c| f64::from(c.setup_bits)),
 ];
 
-/// Counts of samples or triangles, one cause of error each.
+/// Counts of samples, pairs or triangles, one cause of error each.
 macro_rules! counts {
-    ($($name:literal $cause:ident $field:ident $about:literal),* $(,)?) => {[
-        $(count($name, $about, |a| counted(a.$cause.$field)),)*
+    ($($name:literal $cause:ident $field:ident $unit:literal $about:literal),* $(,)?) => {[
+        $(count($name, $unit, $about, |a| counted(a.$cause.$field)),)*
     ]};
 }
 
 const fn count(
     name: &'static str,
+    unit: &'static str,
     about: &'static str,
     read: fn(&Accuracy) -> Option<f64>,
 ) -> Metric {
-    let unit = "samples";
     Metric { name, unit, about, source: Source::Accuracy(read) }
 }
 
@@ -131,20 +131,20 @@ fn counted(count: u64) -> Option<f64> {
 }
 
 const COUNTS: [Metric; 14] = counts![
-    "misclassified" arithmetic misclassified "samples wrongly covered or not",
-    "holes" arithmetic holes "samples of the scene hit too seldom",
-    "double-hits" arithmetic double_hits "samples of the scene hit too often",
-    "inversions" arithmetic inversions "neighbours in depth that change places",
-    "ties" arithmetic ties "neighbours in depth that become equal",
-    "wraps" arithmetic wraps "depths beyond the guard range",
-    "clamps" arithmetic clamps "depths held at an end of the range",
-    "snap-misclassified" snap misclassified "samples won or lost by snapping",
-    "snap-holes" snap holes "samples hit too seldom by snapping",
-    "snap-double-hits" snap double_hits "samples hit too often by snapping",
-    "snap-inversions" snap inversions "neighbours in depth exchanged by snapping",
-    "snap-ties" snap ties "neighbours in depth made equal by snapping",
-    "snap-refused" snap refused "triangles outside the vertex field",
-    "snap-vanished" snap vanished "triangles without area once snapped",
+    "misclassified" arithmetic misclassified "samples" "samples wrongly covered or not",
+    "holes" arithmetic holes "samples" "samples of the scene hit too seldom",
+    "double-hits" arithmetic double_hits "samples" "samples of the scene hit too often",
+    "inversions" arithmetic inversions "pairs" "neighbours in depth that change places",
+    "ties" arithmetic ties "pairs" "neighbours in depth that become equal",
+    "wraps" arithmetic wraps "samples" "depths beyond the guard range",
+    "clamps" arithmetic clamps "samples" "depths held at an end of the range",
+    "snap-misclassified" snap misclassified "samples" "samples won or lost by snapping",
+    "snap-holes" snap holes "samples" "samples hit too seldom by snapping",
+    "snap-double-hits" snap double_hits "samples" "samples hit too often by snapping",
+    "snap-inversions" snap inversions "pairs" "neighbours in depth exchanged by snapping",
+    "snap-ties" snap ties "pairs" "neighbours in depth made equal by snapping",
+    "snap-refused" snap refused "triangles" "triangles outside the vertex field",
+    "snap-vanished" snap vanished "triangles" "triangles without area once snapped",
 ];
 
 macro_rules! spreads {
