@@ -7,7 +7,7 @@ mod report;
 use super::Outcome;
 use super::explore::{PATIENCE, SpaceArguments, columns_help, in_words, parse_metric};
 use super::failure::Failure;
-use super::output::{Output, write_whole};
+use super::output::{Output, write_text};
 use super::progress;
 use super::vectors::{parse_shard, threads};
 use guardbit::explore::field::{Field, Value, exact_width};
@@ -19,7 +19,6 @@ use guardbit::explore::tolerance::Tolerance;
 use guardbit::profile::Profile;
 use guardbit::vector::plan::Shard;
 use report::Report;
-use std::io::Write;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
@@ -160,11 +159,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         merge::merge(&request, &arguments.merge)?
     };
     if let Some(path) = &arguments.save {
-        write_whole(path, |mut file| {
-            serde_json::to_writer_pretty(&mut file, &report).map_err(std::io::Error::from)?;
-            file.write_all(b"\n")?;
-            file.flush()
-        })?;
+        let text = serde_json::to_string_pretty(&report).map_err(Failure::input)?;
+        write_text(path, &(text + "\n"))?;
     }
     if report.budget.is_none() && arguments.shard.is_none() {
         return Err(impossible(&least(&request).map_err(Failure::input)?));
@@ -173,10 +169,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         && let Ok(Point::Budget(profile)) = sweep.space.point(index)
     {
         let text = Profile { name: format!("{}-fit", profile.name), ..profile }.to_toml();
-        write_whole(path, |mut file| {
-            file.write_all(text.as_bytes())?;
-            file.flush()
-        })?;
+        write_text(path, &text)?;
     }
     let mut output = Output::new();
     if arguments.json {

@@ -78,3 +78,11 @@ pub(crate) fn write_whole(
         Failure::io(&path.display().to_string(), &error)
     })
 }
+
+/// Writes a text file, whole or not at all.
+pub(crate) fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    write_whole(path, |mut file| {
+        file.write_all(text.as_bytes())?;
+        file.flush()
+    })
+}

@@ -2,13 +2,12 @@
 
 use super::Outcome;
 use super::failure::Failure;
-use super::output::{Output, write_whole};
+use super::output::{Output, write_text};
 use guardbit::explore::prove::{self, Answer, Check, Overrides, Proof, Question, Solver, Witness};
 use guardbit::profile;
 use serde::Serialize;
 use std::fmt::Write as _;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Duration;
 
 /// How few bits are enough for a whole window and guard band: bounds, and for one bit fewer a
@@ -142,17 +141,11 @@ fn write_files(arguments: &Arguments, proofs: &[Proof]) -> Result<(), Failure> {
         )),
         None => None,
     };
-    let write = |path: &Path, text: String| {
-        write_whole(path, |mut file| {
-            file.write_all(text.as_bytes())?;
-            file.flush()
-        })
-    };
     if let Some(path) = &arguments.smt {
-        write(path, prove::smt(proofs))?;
+        write_text(path, &prove::smt(proofs))?;
     }
     if let Some((path, text)) = gappa {
-        write(path, text)?;
+        write_text(path, &text)?;
     }
     Ok(())
 }

@@ -2,10 +2,9 @@
 
 use super::Outcome;
 use super::failure::Failure;
-use super::output::{Output, write_whole};
+use super::output::{Output, write_text};
 use super::plot::{Chart, Series, svg};
 use guardbit::measure::speed::{self, Report, Section, TradeRow};
-use std::io::Write as _;
 use std::path::PathBuf;
 
 /// Time kernels and machines, on one thread, as ratios within this run.
@@ -49,10 +48,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let report = speed::measure(usize::from(arguments.repeats), sections);
     if let Some(path) = &arguments.svg {
         let text = svg(&chart(&report.trade));
-        write_whole(path, |mut file| {
-            file.write_all(text.as_bytes())?;
-            file.flush()
-        })?;
+        write_text(path, &text)?;
     }
     let mut output = Output::new();
     if arguments.json {

@@ -1,11 +1,11 @@
 //! What `explore` makes beside its output: a page, a chart, counted cells.
 
 use super::chart::{chart, default_axes};
-use super::{Failure, Metric, Record, SpaceArguments, Sweep, Write, parse_metric, synthesis};
-use crate::cli::output::{check_place, write_whole};
+use super::{Failure, Metric, Record, SpaceArguments, Sweep, parse_metric, synthesis};
+use crate::cli::output::{check_place, write_text};
 use crate::cli::plot::svg;
 use crate::cli::report::{Page, command_line, quoted};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct FileArguments {
@@ -76,13 +76,6 @@ impl FileArguments {
         }
         Ok(())
     }
-}
-
-fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
-    write_whole(path, |mut file| {
-        file.write_all(text.as_bytes())?;
-        file.flush()
-    })
 }
 
 /// The command that measures one budget of a space, up to the fields of that budget.
