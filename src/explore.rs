@@ -2,7 +2,7 @@
 //! enough.
 
 pub mod claims;
-pub mod clock;
+mod clock;
 mod corner;
 pub mod extremes;
 pub mod field;

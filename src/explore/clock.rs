@@ -17,7 +17,7 @@ const PAIRS: usize = 3;
 
 /// A part of a scene to draw, and the profile to compare with.
 #[derive(Debug)]
-pub struct Clock<'a> {
+pub(super) struct Clock<'a> {
     reference: &'a Reference,
     base: Prepared,
     sources: Vec<usize>,
@@ -75,7 +75,7 @@ impl Prepared {
 
 impl<'a> Clock<'a> {
     /// A clock for a scene; `None` if the part that would be drawn covers nothing.
-    pub fn new(reference: &'a Reference, profile: &Profile) -> Option<Self> {
+    pub(super) fn new(reference: &'a Reference, profile: &Profile) -> Option<Self> {
         let count = reference.triangles.len();
         let step = count.div_ceil(TRIANGLES).max(1);
         let mut sources: Vec<usize> = (0..count).step_by(step).collect();
@@ -88,7 +88,7 @@ impl<'a> Clock<'a> {
     }
 
     /// Nanoseconds a sample through a profile, and the median ratio to the base profile.
-    pub fn time(&self, profile: &Profile) -> Option<[f64; 2]> {
+    pub(super) fn time(&self, profile: &Profile) -> Option<[f64; 2]> {
         let prepared = Prepared::new(self.reference, profile, &self.sources)?;
         if prepared.samples == 0 {
             return None;

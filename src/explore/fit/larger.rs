@@ -9,7 +9,7 @@ use crate::profile::InvalidProfile;
 /// Whether every larger budget of the space meets the tolerances.
 #[derive(Clone, Debug, Default)]
 pub struct Larger {
-    /// Larger budgets that were looked at.
+    /// Larger budgets that were looked at; the effort of the search does not count them.
     pub checked: u64,
     /// The first that fails, if one does: then the answer is the cheapest that meets the
     /// tolerances, and not one that more bits always keep.

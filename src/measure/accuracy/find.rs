@@ -89,29 +89,24 @@ impl Stage {
     /// The first sample that a profile draws and should not, or the other way round.
     pub fn misclassified(&self, profile: &Profile) -> Option<Place> {
         let inspector = Inspector::new(self, profile).ok()?;
-        let wrong = |n: usize, so_far: u64| -> Option<Place> {
-            let face = &self.faces[n];
-            let mut first = None;
-            debug_assert!(so_far > 0, "something is wrong here");
-            inspector.face(face, Value::Depth, |x, y, error| {
-                let what = match error {
-                    SampleError::Missing => What::Missing,
-                    SampleError::Extra => What::Extra,
-                    SampleError::Depth(_) => return,
-                };
-                first.get_or_insert(Place { triangle: face.source, x, y, what });
-            });
-            first
-        };
-        let mut found = None;
-        let stopped = Drawn::until(self, profile, &mut |n, tally| {
-            let so_far = tally.missing + tally.extra;
-            if so_far > 0 {
-                found = wrong(n, so_far);
-            }
-            so_far == 0
+        let (mut wrong, mut first) = (None, None);
+        Drawn::until(self, profile, &mut |n, tally| {
+            let good = tally.missing + tally.extra == 0;
+            wrong = (!good).then(|| &self.faces[n]);
+            good
+        })
+        .ok()?
+        .err()?;
+        let face = wrong?;
+        inspector.face(face, Value::Depth, |x, y, error| {
+            let what = match error {
+                SampleError::Missing => What::Missing,
+                SampleError::Extra => What::Extra,
+                SampleError::Depth(_) => return,
+            };
+            first.get_or_insert(Place { triangle: face.source, x, y, what });
         });
-        stopped.ok().and(found)
+        first
     }
 
     /// The first sample whose depth raises an event.
