@@ -2,6 +2,7 @@
 
 mod budget;
 mod claims;
+mod compare;
 mod diff;
 mod eval;
 mod explore;
@@ -39,6 +40,7 @@ struct Arguments {
 enum Command {
     Budget(budget::Arguments),
     Claims(claims::Arguments),
+    Compare(compare::Arguments),
     Diff(diff::Arguments),
     Eval(eval::Arguments),
     Explore(explore::Arguments),
@@ -75,6 +77,7 @@ pub(crate) fn run() -> ExitCode {
     let result = match arguments.command {
         Command::Budget(arguments) => budget::run(&arguments),
         Command::Claims(arguments) => claims::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explore(arguments) => explore::run(&arguments),

@@ -68,6 +68,7 @@ mod spec {
         Setup "04-setup.md", Coverage "05-coverage.md", Values "06-values.md",
         EdgeWalk "07-edge-walk.md", Stimulus "08-stimulus.md",
         Bounds "10-bounds.md", Cost "11-cost.md",
-        Measures "12-measures.md", Search "13-search.md"
+        Measures "12-measures.md", Search "13-search.md",
+        Machines "19-machines.md", Traversal "20-traversal.md"
     );
 }

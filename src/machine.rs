@@ -1,16 +1,31 @@
 //! Rasterizers: each turns a primitive into spans, values and events by its own means.
 
+mod barycentric;
 mod edge_function;
 mod edge_walk;
+mod engine_per_pixel;
+mod gouraud;
+mod homogeneous;
+mod painter;
 mod port;
+mod scanline;
+mod tiles;
+mod traversed;
 
+pub use barycentric::{Barycentric, BarycentricConfig, BarycentricError};
 pub use edge_function::EdgeFunction;
 pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};
+pub use engine_per_pixel::{EnginePerPixel, serial_plane};
+pub use gouraud::Gouraud;
+pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
 pub use port::Ports;
+pub use scanline::{Scanline, ScanlineConfig};
+pub use tiles::{Tiles, TilesConfig, TilesError};
+pub use traversed::Traversed;
 
 use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid};
-use crate::setup::Triangle;
+use crate::setup::{ClipTriangle, Polygon, Triangle};
 
 /// One primitive, as a machine takes it.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +33,29 @@ use crate::setup::Triangle;
 pub enum Input<'a> {
     /// A triangle on the profile's sub-pixel grid.
     Triangle(&'a Triangle),
+    /// A triangle that is neither projected nor clipped.
+    Clip(&'a ClipTriangle),
+    /// A polygon of three or more vertices, convex or not.
+    Polygon(&'a Polygon),
+}
+
+impl Input<'_> {
+    /// The form of the primitive, for a message.
+    const fn name(&self) -> &'static str {
+        match self {
+            Self::Triangle(_) => "triangles",
+            Self::Clip(_) => "homogeneous vertices",
+            Self::Polygon(_) => "polygons",
+        }
+    }
+
+    /// The triangle of a machine that draws nothing else.
+    fn triangle(&self) -> Result<&Triangle, DrawError> {
+        match self {
+            Self::Triangle(triangle) => Ok(triangle),
+            other => Err(DrawError::Primitive(other.name())),
+        }
+    }
 }
 
 /// Why a primitive was refused. Numeric events are data; this is not one of them.
@@ -31,10 +69,30 @@ pub enum DrawError {
         /// Row.
         y: i64,
     },
+    /// The machine draws other primitives.
+    #[error("this profile's machine does not draw {0}")]
+    Primitive(&'static str),
+    /// Numbers too large for exact 128-bit arithmetic.
+    #[error("{what} = {value}: this machine takes {low} to {high}")]
+    Range {
+        /// Which number.
+        what: &'static str,
+        /// The number.
+        value: i128,
+        /// Smallest taken.
+        low: i128,
+        /// Largest taken.
+        high: i128,
+    },
 }
 
 /// Where spans, values and events of a primitive go, in the order of y then x.
 pub trait Sink {
+    /// Whether [`Sink::setup`] is wanted; a machine may leave it out otherwise.
+    fn wants_setup(&self) -> bool {
+        true
+    }
+
     /// The set-up words, in the order of [`Ports::setup`], unreduced.
     fn setup(&mut self, _words: &[i128]) {}
 
@@ -52,6 +110,41 @@ pub trait Sink {
 
     /// The numeric events of a run, in drawing order.
     fn events(&mut self, _events: &SpanEvents) {}
+
+    /// Whether [`Sink::held`] is wanted.
+    fn wants_held(&self) -> bool {
+        false
+    }
+
+    /// The depth accumulators of the run just given, from column `x0`: wrapped and clamped, with
+    /// their fraction. In `[0, 2^(i+F))`.
+    fn held(&mut self, _y: u32, _x0: u32, _accumulators: &[i128]) {}
+
+    /// What finding the fragments of the primitive took, once it is drawn.
+    fn work(&mut self, _work: &Work) {}
+}
+
+/// What a machine did to find the fragments of a primitive. Spec clause `A-11`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Rows walked.
+    pub rows: u64,
+    /// Tiles or blocks tested as a whole.
+    pub tiles: u64,
+    /// Samples evaluated, covered or not.
+    pub visits: u64,
+    /// Unit steps of the accumulators from one evaluated place to the next.
+    pub steps: u64,
+}
+
+impl Work {
+    /// Adds another primitive's.
+    pub fn add(&mut self, other: &Self) {
+        self.rows += other.rows;
+        self.tiles += other.tiles;
+        self.visits += other.visits;
+        self.steps += other.steps;
+    }
 }
 
 /// Where a machine draws: the sample grid, and the pixels it may touch.
@@ -61,6 +154,15 @@ pub struct Target {
     pub grid: SampleGrid,
     /// The window cut by the scissor.
     pub clip: Rect,
+}
+
+impl Target {
+    /// The pixels `[x0, y0, x1, y1]` whose samples a triangle could cover. Spec clause `C-7`.
+    pub fn bounds(&self, triangle: &Triangle) -> [u32; 4] {
+        let side = |axis| self.clip.clip(axis, self.grid.pixels(axis, triangle.extent(axis)));
+        let ((x0, x1), (y0, y1)) = (side(0), side(1));
+        [x0, y0, x1, y1]
+    }
 }
 
 /// A rasterizer.

@@ -1,7 +1,9 @@
-//! Measurement: error against the exact truth, cost in hardware, and speed as ratios within one run.
+//! Measurement: error against the exact truth, cost in hardware, machines against each other, and
+//! speed as ratios within one run.
 
 pub mod accuracy;
 pub mod budget;
+pub mod comparison;
 pub mod cost;
 pub mod error;
 pub mod require;

@@ -1,16 +1,21 @@
 //! A profile made ready: validated once, lane, processor level and machine picked once. The only
 //! door for `eval`, vectors, rendering and bindings.
 
+mod fill;
 mod record;
 
+pub use fill::Raster;
 pub use record::{Drawing, Span};
 
-use crate::cover::Rect;
+use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
-use crate::machine::{DrawError, EdgeFunction, EdgeWalk, Input, Machine, Ports, Sink, Target};
+use crate::machine::{
+    Barycentric, DrawError, EdgeFunction, EdgeWalk, EnginePerPixel, Gouraud, Homogeneous, Input,
+    Machine, Ports, Scanline, Sink, Target, Tiles, Traversed,
+};
 use crate::profile::{Form, InvalidProfile, Profile};
 use crate::scene;
-use crate::setup::{Triangle, VertexError};
+use crate::setup::{ClipTriangle, Polygon, Triangle, VertexError};
 use crate::value::Depth;
 
 /// The version of the model: raised by any change of an emitted bit, and named in the CHANGELOG.
@@ -23,6 +28,8 @@ pub struct Model {
     clip: Rect,
     machine: Box<dyn Machine>,
     depth: Option<Depth>,
+    grid: SampleGrid,
+    quick: Option<fill::Quick>,
 }
 
 /// What a caller may set beside the profile; nothing here changes the bits of a sample.
@@ -73,16 +80,9 @@ impl Model {
         let processor = view.processor;
         let depth =
             profile.depth.map(|config| Depth::new(config, &vertex, processor)).transpose()?;
-        let machine: Box<dyn Machine> = match profile.form {
-            Form::EdgeFunction(edges) => {
-                Box::new(EdgeFunction::new(edges, depth, &vertex, target, processor))
-            }
-            Form::EdgeWalk(walk) => {
-                let word = walk.validate(&vertex)?;
-                Box::new(EdgeWalk::new(walk, word, depth, &vertex, target))
-            }
-        };
-        Ok(Self { profile, clip, machine, depth })
+        let machine = build(&profile, depth, target, processor)?;
+        let quick = fill::Quick::new(&profile, depth);
+        Ok(Self { profile, clip, machine, depth, grid: target.grid, quick })
     }
 
     /// The profile, with the window in force.
@@ -161,6 +161,54 @@ impl Model {
     pub fn draw(&self, triangle: &Triangle, out: &mut dyn Sink) -> Result<(), DrawError> {
         self.machine.draw(&Input::Triangle(triangle), out)
     }
+
+    /// Draws a triangle of homogeneous vertices, on a machine that takes them.
+    ///
+    /// # Errors
+    /// [`DrawError`] if the machine does not, or refuses what happened.
+    pub fn draw_clip(&self, triangle: &ClipTriangle, out: &mut dyn Sink) -> Result<(), DrawError> {
+        self.machine.draw(&Input::Clip(triangle), out)
+    }
+
+    /// Draws a polygon, on a machine that takes polygons.
+    ///
+    /// # Errors
+    /// [`DrawError`] if the machine does not, or refuses what happened.
+    pub fn draw_polygon(&self, polygon: &Polygon, out: &mut dyn Sink) -> Result<(), DrawError> {
+        self.machine.draw(&Input::Polygon(polygon), out)
+    }
+}
+
+/// The machine of a valid profile.
+fn build(
+    profile: &Profile,
+    depth: Option<Depth>,
+    target: Target,
+    processor: Processor,
+) -> Result<Box<dyn Machine>, InvalidProfile> {
+    let vertex = &profile.vertex;
+    Ok(match profile.form {
+        Form::EdgeFunction(edges) => match profile.traversal {
+            None => Box::new(EdgeFunction::new(edges, depth, vertex, target, processor)),
+            Some(traversal) => Box::new(Traversed::new(edges, traversal, depth, vertex, target)),
+        },
+        Form::EdgeWalk(walk) => {
+            Box::new(EdgeWalk::new(walk, walk.validate(vertex)?, depth, vertex, target))
+        }
+        Form::Gouraud(walk) => {
+            Box::new(Gouraud::new(walk, walk.validate(vertex)?, depth, vertex, target))
+        }
+        Form::EnginePerPixel(edges) => {
+            let exact = profile.exact_edge_width().unwrap_or(u32::MAX);
+            Box::new(EnginePerPixel::new(edges, exact, depth, vertex, target, processor))
+        }
+        Form::Barycentric(machine) => {
+            Box::new(Barycentric::new(machine, depth, vertex, target, processor))
+        }
+        Form::Tiles(machine) => Box::new(Tiles::new(machine, depth, vertex, target, processor)),
+        Form::Homogeneous(machine) => Box::new(Homogeneous::new(machine, depth, vertex, target)),
+        Form::Scanline(machine) => Box::new(Scanline::new(machine, depth, vertex, target)),
+    })
 }
 
 fn in_depth(vertex: usize, value: i128, (low, high): (i128, i128)) -> Result<i128, VertexError> {

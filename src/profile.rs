@@ -2,18 +2,20 @@
 //! Spec clauses `F-4` and `F-5`; the file format is TOML with a published JSON schema.
 
 mod builtin;
+mod form;
 mod load;
 mod neighbour;
 
 pub use builtin::{BUILTIN, builtin};
+pub use form::{Form, MACHINES};
 pub use load::{ProfileError, load, parse};
 pub use neighbour::{Neighbour, neighbours};
 
 use crate::cover::{
-    EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleError, SampleGrid,
+    EdgeWordError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
-use crate::machine::{EdgeWalkConfig, EdgeWalkError};
+use crate::machine::{BarycentricError, EdgeWalkError, HomogeneousError, TilesError};
 use crate::setup::{VertexConfig, VertexError};
 use crate::value::{DepthConfig, DepthError};
 use schemars::JsonSchema;
@@ -42,6 +44,9 @@ pub struct Profile {
     pub sample: Option<SampleConfig>,
     /// How a primitive becomes coverage.
     pub form: Form,
+    /// The order in which samples are visited; the bounding box row by row when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub traversal: Option<TraversalConfig>,
     /// The depth plane; no depth when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<DepthConfig>,
@@ -55,16 +60,6 @@ pub struct WindowConfig {
     pub width: u32,
     /// Rows.
     pub height: u32,
-}
-
-/// The coverage half of a machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum Form {
-    /// Three edge functions.
-    EdgeFunction(EdgeWordConfig),
-    /// Three x DDAs.
-    EdgeWalk(EdgeWalkConfig),
 }
 
 /// A profile whose parts do not go together.
@@ -93,6 +88,21 @@ pub enum InvalidProfile {
     /// The walked edge.
     #[error(transparent)]
     EdgeWalk(#[from] EdgeWalkError),
+    /// The tiles.
+    #[error(transparent)]
+    Tiles(#[from] TilesError),
+    /// The barycentric machine.
+    #[error(transparent)]
+    Barycentric(#[from] BarycentricError),
+    /// The homogeneous machine.
+    #[error(transparent)]
+    Homogeneous(#[from] HomogeneousError),
+    /// An order of visits for a machine that has its own.
+    #[error(
+        "a [traversal] goes with [form.edge-function]; the machine {0} visits samples in an order of \
+         its own"
+    )]
+    Traversal(&'static str),
     /// The depth plane.
     #[error(transparent)]
     Depth(#[from] DepthError),
@@ -109,6 +119,10 @@ impl InvalidProfile {
             Self::Sample(_) => &["sample"],
             Self::EdgeWord(_) => &["form", "edge-function", "width"],
             Self::EdgeWalk(_) => &["form", "edge-walk"],
+            Self::Tiles(_) => &["form", "tiles"],
+            Self::Barycentric(_) => &["form", "barycentric"],
+            Self::Homogeneous(_) => &["form", "homogeneous"],
+            Self::Traversal(_) => &["traversal"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Integer { .. })) => &["depth", "integer"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
@@ -137,14 +151,26 @@ impl Profile {
         self.vertex.validate()?;
         self.window()?;
         self.grid()?;
+        let read = self.depth.map(|depth| depth.validate(&self.vertex)).transpose()?;
         match &self.form {
-            Form::EdgeFunction(edges) => edges.validate()?,
+            Form::EdgeFunction(edges) | Form::EnginePerPixel(edges) => edges.validate()?,
             Form::EdgeWalk(walk) => {
                 walk.validate(&self.vertex)?;
             }
+            Form::Gouraud(walk) => {
+                walk.validate(&self.vertex)?;
+                walk.validate_values(&self.vertex, read)?;
+            }
+            Form::Barycentric(machine) => machine.validate(&self.vertex, read)?,
+            Form::Tiles(machine) => machine.validate()?,
+            Form::Homogeneous(machine) => {
+                let growth = self.depth.map_or(0, |depth| depth.division.growth());
+                machine.validate(&self.vertex, read.map(|read| (read, growth)))?;
+            }
+            Form::Scanline(_) => {}
         }
-        if let Some(depth) = &self.depth {
-            depth.validate(&self.vertex)?;
+        if self.traversal.is_some() && !matches!(self.form, Form::EdgeFunction(_)) {
+            return Err(InvalidProfile::Traversal(self.form.name()));
         }
         Ok(())
     }

@@ -1,14 +1,18 @@
 //! Set-up: snapping, exact edge coefficients, plane gradients and the division behind them.
 //! A toolbox for machines, not a stage before them. Spec clauses `S-*`.
 
+mod clip;
 mod divide;
 mod edge;
 mod plane;
+mod polygon;
 mod snap;
 mod triangle;
 
+pub use clip::{ClipSetup, ClipTriangle, Linear, linear_at};
 pub use divide::{Divider, Division, DivisionError};
 pub use edge::{EdgeCoefficients, edges};
 pub use plane::{Gradient, Plane};
+pub use polygon::Polygon;
 pub use snap::{Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed};
 pub use triangle::Triangle;

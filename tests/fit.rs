@@ -361,7 +361,7 @@ fn an_edge_width_follows_the_grid_unless_it_is_varied() {
 fn toy_exact() -> Profile {
     let text = toy().to_toml().replace("width = 6", "width = 9");
     let profile = parse(&text, "toy").unwrap();
-    assert_eq!(guardbit::explore::field::exact_width(&profile), Some(9));
+    assert_eq!(profile.exact_edge_width(), Some(9));
     profile
 }
 

@@ -355,7 +355,7 @@ fn rule(profile: &Profile) -> Option<Rule> {
     match profile.form {
         Form::EdgeFunction(edges) if edges.rule == FillRule::Shadow => Some(Rule::Shadow),
         Form::EdgeFunction(_) => Some(Rule::TopLeft),
-        Form::EdgeWalk(_) => None,
+        _ => None,
     }
 }
 
@@ -418,6 +418,7 @@ fn exact_setup(profile: &Profile, xy: [[i128; 2]; 3], z: [i128; 3]) -> Vec<i128>
                 let word = |value| i128::try_from(exact::round(&value, walk.rounding)).unwrap();
                 words.extend([word(x(first)), word(x(first + 1) - x(first)), first, end]);
             }
+            other => panic!("no exact set-up of {} here", other.name()),
         }
     }
     if let Some(Division::Reciprocal { .. }) = profile.depth.map(|depth| depth.division) {

@@ -10,7 +10,7 @@ use super::failure::Failure;
 use super::output::{Output, write_text};
 use super::progress;
 use super::vectors::{parse_shard, threads};
-use guardbit::explore::field::{Field, Value, exact_width};
+use guardbit::explore::field::{Field, Value};
 use guardbit::explore::fit::{Best, Least, Request, exhaustive, fit, least};
 use guardbit::explore::metric::Metric;
 use guardbit::explore::space::{Axis, Point};
@@ -77,7 +77,7 @@ fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
 fn default_axes(base: &Profile) -> Vec<Axis> {
     let bits = |from: u32, to| (from..=to).map(Value::Bits).collect();
     let mut axes = Vec::new();
-    if let Some(width) = exact_width(base) {
+    if let Some(width) = base.exact_edge_width() {
         let values = bits(2, width);
         axes.push(Axis { field: Field::EdgeWidth, values });
     }

@@ -13,13 +13,13 @@ use std::path::PathBuf;
 /// printed. Sections: "ratios" holds the kernels against plain loops at every processor level of
 /// this machine; "lanes" the depth walk by machine integer and width; "forms" edge function and edge
 /// walk by triangle size, event log off and on; "trade" speed against accuracy by interpolation
-/// bits.
+/// bits; "fill" coverage and depth written to memory by the quickest exact path.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// Pairs of passes per figure: more take longer and scatter less.
     #[arg(long, default_value_t = 31, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     repeats: u16,
-    /// Measure these sections only: ratios, lanes, forms, trade.
+    /// Measure these sections only: ratios, lanes, forms, trade, fill.
     #[arg(long, value_name = "SECTIONS", value_delimiter = ',', value_parser = parse_section)]
     only: Vec<Section>,
     /// Draw the section "trade" as a chart into this SVG file.
@@ -70,6 +70,7 @@ fn print(report: &Report, output: &mut Output) -> Result<(), Failure> {
             Section::Lanes => lanes(report, output)?,
             Section::Forms => forms(report, output)?,
             Section::Trade => trade(report, output)?,
+            Section::Fill => fill(report, output)?,
         }
         output.line(&finding.text)?;
     }
@@ -132,6 +133,17 @@ fn trade(report: &Report, output: &mut Output) -> Result<(), Failure> {
             row.worst_ulp,
             row.rms_ulp,
             row.bound_ulp
+        ))?;
+    }
+    Ok(())
+}
+
+fn fill(report: &Report, output: &mut Output) -> Result<(), Failure> {
+    output.line("writes      pixels   ns/pixel   million triangles/s   ratio")?;
+    for row in &report.fill {
+        output.line(format!(
+            "{:<9} {:>8.1} {:>10.3} {:>21.3} {:>7.3}",
+            row.writes, row.pixels, row.ns_per_pixel, row.millions_per_second, row.ratio
         ))?;
     }
     Ok(())

@@ -98,6 +98,12 @@ impl Walker {
         go(go(self.start, self.dy, y), self.dx, x)
     }
 
+    /// The accumulator, unreduced; a sticky one lies in `[0, 2^(i+F))`.
+    #[inline]
+    pub fn accumulator(&self) -> i128 {
+        self.accumulator
+    }
+
     /// The accumulator's pattern, N bits, zero-extended.
     #[inline]
     pub fn pattern(&self) -> u128 {

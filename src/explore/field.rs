@@ -2,10 +2,10 @@
 
 mod place;
 
-pub use place::exact_width;
-
 use crate::bits::Rounding;
+use crate::cover::{Order, Stamp};
 use crate::format::Clamp;
+use crate::profile::MACHINES;
 use serde::Serialize;
 use std::fmt::Display;
 
@@ -41,8 +41,12 @@ pub enum Field {
     Snap,
     /// Depth bits.
     Integer,
-    /// Edge function or edge walk.
+    /// The machine.
     Form,
+    /// The order in which samples are visited.
+    Traversal,
+    /// Pixels evaluated in one step.
+    Stamp,
     /// Bits of an edge word.
     EdgeWidth,
     /// Fraction bits of a walked edge.
@@ -89,7 +93,8 @@ pub enum FieldError {
 const EXACT: &str = "exact";
 /// The word for a division without a reciprocal.
 const QUOTIENT: &str = "quotient";
-const FORMS: [&str; 2] = ["edge-function", "edge-walk"];
+/// The word for visiting the bounding box row by row, as a profile without a `[traversal]` does.
+const ROWS: &str = "rows";
 const BIASES: [&str; 2] = ["none", "half"];
 
 impl Display for Value {
@@ -103,12 +108,14 @@ impl Display for Value {
 
 impl Field {
     /// Every field, in the order that budgets are listed in.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 18] = [
         Self::SubPixel,
         Self::VertexInteger,
         Self::Snap,
         Self::Integer,
         Self::Form,
+        Self::Traversal,
+        Self::Stamp,
         Self::EdgeWidth,
         Self::WalkFraction,
         Self::WalkInteger,
@@ -130,6 +137,8 @@ impl Field {
             Self::Snap => "snap",
             Self::Integer => "integer",
             Self::Form => "form",
+            Self::Traversal => "traversal",
+            Self::Stamp => "stamp",
             Self::EdgeWidth => "edge-width",
             Self::WalkFraction => "walk-fraction",
             Self::WalkInteger => "walk-integer",
@@ -150,7 +159,9 @@ impl Field {
             Self::SubPixel | Self::VertexInteger | Self::Snap | Self::Integer | Self::Form => {
                 Level::Stage
             }
-            Self::EdgeWidth
+            Self::Traversal
+            | Self::Stamp
+            | Self::EdgeWidth
             | Self::WalkFraction
             | Self::WalkInteger
             | Self::WalkGuard
@@ -170,7 +181,9 @@ impl Field {
             Self::Snap | Self::WalkRounding | Self::Rounding => {
                 Rounding::ALL.map(|rounding| rounding.names().guardbit).to_vec()
             }
-            Self::Form => FORMS.to_vec(),
+            Self::Form => MACHINES.map(|(name, _)| name).to_vec(),
+            Self::Traversal => std::iter::once(ROWS).chain(Order::ALL.map(Order::name)).collect(),
+            Self::Stamp => Stamp::ALL.map(Stamp::name).to_vec(),
             Self::Clamp => Clamp::ALL.map(Clamp::name).to_vec(),
             Self::StartBias => BIASES.to_vec(),
             Self::EdgeWidth => vec![EXACT],

@@ -1,6 +1,6 @@
 //! A space of budgets: a profile, and the fields that a search varies. Spec clauses `Q-1` and `Q-2`.
 
-use super::field::{Field, FieldError, Level, Value, exact_width};
+use super::field::{Field, FieldError, Level, Value};
 use crate::profile::{InvalidProfile, Profile};
 
 /// A field and the values it takes.
@@ -162,8 +162,9 @@ impl Space {
         }
         let has = |field| axes.iter().any(|axis: &Axis| axis.field == field);
         let own = Field::EdgeWidth.read(&base);
-        let follows =
-            !has(Field::EdgeWidth) && own.is_some() && own == exact_width(&base).map(Value::Bits);
+        let follows = !has(Field::EdgeWidth)
+            && own.is_some()
+            && own == base.exact_edge_width().map(Value::Bits);
         let space = Self { base, axes, follows };
         space.fields_exist()?;
         let count = space.axes.iter().try_fold(1u64, |count, axis| {

@@ -260,14 +260,15 @@ pub(super) fn accuracy(scenes: &[Stage], snap: &Tally, arithmetic: &Tally) -> Ac
 
 /// All operations of the scenes over their covered samples.
 fn operations(cost: &Cost, scenes: &[Stage], drawn: &[Drawn]) -> f64 {
-    let Operations { triangle, row, run, visit, fragment } = cost.operations;
+    let Operations { triangle, row, tile, run, visit, fragment } = cost.operations;
     let (mut all, mut covered) = (0.0, 0);
     for (scene, drawn) in scenes.iter().zip(drawn) {
         let work = [
             (triangle, scene.faces.len() as u64),
-            (row, drawn.rows),
+            (row, drawn.work.rows),
+            (tile, drawn.work.tiles),
             (run, scene.runs.len() as u64),
-            (visit, drawn.visited),
+            (visit, drawn.work.visits),
             (fragment, drawn.covered),
         ];
         for (count, times) in work {

@@ -1,8 +1,8 @@
 //! The slope-form edge walk: an x DDA down each edge. Measurably inexact, and kept for that.
 //! Spec clauses `K-1` to `K-5`.
 
-use super::edge_function::{Painter, drawable};
-use super::{DrawError, Input, Machine, Ports, Sink, Target};
+use super::painter::{Painter, drawable};
+use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
 use crate::format::{Clamp, Column, ReadOut, ReadOutError};
@@ -46,6 +46,22 @@ pub enum EdgeWalkError {
         /// Sub-pixel bits of the vertex field.
         sub_pixel: u32,
     },
+    /// Depth along a span outgrows 128-bit arithmetic.
+    #[error(
+        "depth integer + interpolation + fraction + sub-pixel + 2 = {integer} + {interpolation} + \
+         {fraction} + {sub_pixel} + 2 > 126: depth along a span would outgrow exact 128-bit \
+         arithmetic; give one of them fewer bits"
+    )]
+    Values {
+        /// Depth bits.
+        integer: u32,
+        /// Interpolation bits of depth.
+        interpolation: u32,
+        /// Fraction bits of x.
+        fraction: u32,
+        /// Sub-pixel bits of the vertex field.
+        sub_pixel: u32,
+    },
     /// The exact numerators outgrow 128-bit arithmetic.
     #[error(
         "2 * vertex difference bits + 2 + fraction = 2 * {difference} + 2 + {fraction} > 126: \
@@ -74,6 +90,13 @@ pub struct WalkedEdge {
     pub left: bool,
 }
 
+impl WalkedEdge {
+    /// Start, slope and rows, as set-up words.
+    pub const fn words(&self) -> [i128; 4] {
+        [self.start, self.slope, self.first_row, self.end_row]
+    }
+}
+
 impl EdgeWalkConfig {
     /// Checks the word and its growth.
     ///
@@ -90,6 +113,25 @@ impl EdgeWalkConfig {
             return Err(EdgeWalkError::Growth { difference, fraction });
         }
         Ok(read)
+    }
+
+    /// Checks the growth of depth walked between walked edges, for a depth accumulator of this
+    /// format.
+    ///
+    /// # Errors
+    /// [`EdgeWalkError::Values`] with the violated inequality.
+    pub fn validate_values(
+        &self,
+        vertex: &VertexConfig,
+        depth: Option<ReadOut>,
+    ) -> Result<(), EdgeWalkError> {
+        let Some(read) = depth else { return Ok(()) };
+        let (integer, interpolation) = (read.integer(), read.fraction());
+        let (fraction, sub_pixel) = (self.fraction, vertex.sub_pixel);
+        if integer + interpolation + fraction + sub_pixel + 2 > 126 {
+            return Err(EdgeWalkError::Values { integer, interpolation, fraction, sub_pixel });
+        }
+        Ok(())
     }
 
     /// Set-up of the edge from `from` to `to` of a normalised triangle: the exact x at its first
@@ -114,6 +156,24 @@ impl EdgeWalkConfig {
         let start = divide((top[0] * dy + below_top * dx) << self.fraction, dy << grid.sub_pixel);
         let slope = divide(dx << self.fraction, dy);
         Some(WalkedEdge { start, slope, first_row, end_row, left })
+    }
+
+    /// The set-up columns of edge `k`, in the order of [`WalkedEdge::words`].
+    pub(super) fn columns(&self, word: ReadOut, k: usize) -> [Column; 4] {
+        let x = |name: &str, meaning: &str| {
+            let (name, meaning) = (format!("{name}{k}"), format!("Edge {k}, {meaning}."));
+            Column::new(&name, word.width(), true, self.fraction, &meaning)
+        };
+        let row = |name: &str, meaning: &str| {
+            let meaning = format!("Edge {k}, {meaning}; both 0 when it crosses no row.");
+            Column::new(&format!("{name}{k}"), 34, true, 0, &meaning)
+        };
+        [
+            x("x", "x at its first row"),
+            x("s", "change of x per row"),
+            row("t", "first row"),
+            row("u", "row past its last"),
+        ]
     }
 
     /// The first pixel whose sample is not left of `x` (in 2^-fraction pixels): `ceil(x - 1/2)`
@@ -144,19 +204,7 @@ impl EdgeWalk {
         vertex: &VertexConfig,
         target: Target,
     ) -> Self {
-        let width = word.width();
-        let mut setup = Vec::new();
-        for k in 0..3 {
-            let x = |name: String, meaning: String| {
-                Column::new(&name, width, true, config.fraction, &meaning)
-            };
-            setup.push(x(format!("x{k}"), format!("Edge {k}, x at its first row.")));
-            setup.push(x(format!("s{k}"), format!("Edge {k}, change of x per row.")));
-            for (name, meaning) in [("t", "first row"), ("u", "row past its last")] {
-                let meaning = format!("Edge {k}, {meaning}; both 0 when it crosses no row.");
-                setup.push(Column::new(&format!("{name}{k}"), 34, true, 0, &meaning));
-            }
-        }
+        let setup = (0..3).flat_map(|k| config.columns(word, k)).collect();
         let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
         Self { config, word, depth, target, ports }
     }
@@ -168,19 +216,17 @@ impl Machine for EdgeWalk {
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let Input::Triangle(triangle) = *input;
-        let Some(triangle) = drawable(triangle, out) else { return Ok(()) };
+        let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let Target { grid, clip } = self.target;
         let v = triangle.xy;
         let edges: [Option<WalkedEdge>; 3] =
             std::array::from_fn(|k| self.config.edge(v[k], v[(k + 1) % 3], &grid));
         let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        let words = edges
-            .iter()
-            .flat_map(|edge| edge.map_or([0; 4], |e| [e.start, e.slope, e.first_row, e.end_row]))
-            .collect();
+        let words =
+            edges.iter().flat_map(|edge| edge.map_or([0; 4], |edge| edge.words())).collect();
         painter.announce(words, self.depth.is_some(), out);
         let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
+        let mut visits = 0;
         for y in y0..y1 {
             let row = i128::from(y);
             let side = |left| {
@@ -193,9 +239,11 @@ impl Machine for EdgeWalk {
             let (Some(left), Some(right)) = (side(true), side(false)) else { continue };
             let (x0, x1) = clip.clip(0, (left, right));
             if x0 < x1 {
+                visits += u64::from(x1 - x0);
                 painter.span(y, x0, x1, out)?;
             }
         }
+        out.work(&Work { rows: u64::from(y1 - y0), visits, steps: visits, tiles: 0 });
         Ok(())
     }
 }

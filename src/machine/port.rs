@@ -15,8 +15,22 @@ pub struct Ports {
 }
 
 impl Ports {
-    /// The ports of a triangle machine whose coverage set-up has these columns.
+    /// The ports of a triangle machine whose coverage set-up has these columns, and whose depth
+    /// is a plane.
     pub fn triangle(vertex: &VertexConfig, mut setup: Vec<Column>, depth: Option<ReadOut>) -> Self {
+        if let Some(read) = depth {
+            let (width, fraction) = (read.width(), read.fraction());
+            let column = |name, meaning| Column::new(name, width, true, fraction, meaning);
+            setup.push(column("z", "Depth accumulator at pixel (0, 0)."));
+            setup.push(column("dzdx", "Depth slope per pixel to the right."));
+            setup.push(column("dzdy", "Depth slope per row downward."));
+        }
+        Self::valued(vertex, setup, depth)
+    }
+
+    /// The ports of a triangle machine whose set-up has these columns, those of its depth among
+    /// them.
+    pub fn valued(vertex: &VertexConfig, setup: Vec<Column>, depth: Option<ReadOut>) -> Self {
         let (low, high) = vertex.range();
         let signed = low < 0;
         let width = i128::BITS - high.leading_zeros() + u32::from(signed);
@@ -36,13 +50,6 @@ impl Ports {
                 let meaning = format!("Vertex {n}, depth code.");
                 input.push(Column::new(&format!("z{n}"), read.integer(), false, 0, &meaning));
             }
-        }
-        if let Some(read) = depth {
-            let (width, fraction) = (read.width(), read.fraction());
-            let column = |name, meaning| Column::new(name, width, true, fraction, meaning);
-            setup.push(column("z", "Depth accumulator at pixel (0, 0)."));
-            setup.push(column("dzdx", "Depth slope per pixel to the right."));
-            setup.push(column("dzdy", "Depth slope per row downward."));
         }
         let depth = depth.map(|read| {
             Column::new("z", read.integer(), false, 0, "Depth read-out after the clamp.")

@@ -12,6 +12,7 @@ mod find;
 mod inspect;
 mod moment;
 mod order;
+mod own;
 mod reference;
 mod run;
 mod stage;
@@ -69,6 +70,9 @@ pub fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile) -> Measured {
     let none = Reach::default();
     let mut measured = Measured { tally: drawn.tally, depth: none, attribute: none, order: none };
     let Some(depth) = depth_of(profile) else { return measured };
+    if !profile.form.walks_a_plane() {
+        return own::measure(stage, drawn, profile, &depth);
+    }
     let mut values = Values::default();
     for (n, face) in stage.faces.iter().enumerate() {
         face_values(stage, &depth, face, drawn.runs(stage, n), &mut values);

@@ -1,5 +1,7 @@
 //! The words of a profile, taken apart.
 
+use crate::cover::SampleGrid;
+use crate::machine::ScanlineConfig;
 use crate::profile::{Form, InvalidProfile, Profile};
 use serde::Serialize;
 
@@ -90,45 +92,19 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
             fact("difference", &format!("{} bits", vertex.difference_bits())),
         ],
     }];
-    words.push(match profile.form {
-        Form::EdgeFunction(edges) => {
-            let exact = edges.exact_width(&vertex, &grid, size);
-            let verdict = match edges.width.cmp(&exact) {
-                std::cmp::Ordering::Less => "too narrow: edge words can wrap",
-                std::cmp::Ordering::Equal => "exactly enough",
-                std::cmp::Ordering::Greater => "more than enough",
-            };
-            Word {
-                name: "edge",
-                width: edges.width,
-                fields: vec![field("edge", edges.width)],
-                facts: vec![
-                    fact("range", &format!("-2^{0} to 2^{0} - 1", edges.width - 1)),
-                    fact("exact in this window", &format!("{exact} bits: {verdict}")),
-                ],
-            }
-        }
-        Form::EdgeWalk(walk) => Word {
-            name: "edge",
-            width: walk.guard + walk.integer + walk.fraction,
-            fields: vec![
-                field("guard", walk.guard),
-                field("integer", walk.integer),
-                field("fraction", walk.fraction),
-            ],
+    words.push(coverage_word(profile, &grid));
+    if let Form::Barycentric(machine) = profile.form {
+        let width = machine.coordinate_width();
+        words.push(Word {
+            name: "share",
+            width,
+            fields: vec![field("integer", 2), field("fraction", machine.coordinate)],
             facts: vec![
-                fact("resolution", &format!("2^-{} pixel", walk.fraction)),
-                fact("rounding", &walk.rounding),
-                fact(
-                    "half a sub-pixel",
-                    &format!(
-                        "after {} rows",
-                        steps(walk.fraction.saturating_sub(vertex.sub_pixel), walk.rounding)
-                    ),
-                ),
+                fact("resolution", &format!("2^-{}", machine.coordinate)),
+                fact("rounding", &machine.rounding),
             ],
-        },
-    });
+        });
+    }
     if let Some(depth) = profile.depth {
         let read = depth.validate(&vertex)?;
         let (lowest, limit) = read.range();
@@ -173,5 +149,55 @@ fn steps(fraction: u32, rounding: crate::bits::Rounding) -> u128 {
         (1u128 << fraction).saturating_sub(2)
     } else {
         (1u128 << fraction >> 1).saturating_sub(1)
+    }
+}
+
+/// The word that decides coverage; a scanline machine's is as wide as its vertices ask.
+fn coverage_word(profile: &Profile, grid: &SampleGrid) -> Word {
+    let vertex = &profile.vertex;
+    let size = (profile.window.width, profile.window.height);
+    if let Some(edges) = profile.form.edge() {
+        let exact = edges.exact_width(vertex, grid, size);
+        let verdict = match edges.width.cmp(&exact) {
+            std::cmp::Ordering::Less => "too narrow: edge words can wrap",
+            std::cmp::Ordering::Equal => "exactly enough",
+            std::cmp::Ordering::Greater => "more than enough",
+        };
+        return Word {
+            name: "edge",
+            width: edges.width,
+            fields: vec![field("edge", edges.width)],
+            facts: vec![
+                fact("range", &format!("-2^{0} to 2^{0} - 1", edges.width - 1)),
+                fact("exact in this window", &format!("{exact} bits: {verdict}")),
+            ],
+        };
+    }
+    if let Some(walk) = profile.form.walk() {
+        let rows = steps(walk.fraction.saturating_sub(vertex.sub_pixel), walk.rounding);
+        return Word {
+            name: "edge",
+            width: walk.guard + walk.integer + walk.fraction,
+            fields: vec![
+                field("guard", walk.guard),
+                field("integer", walk.integer),
+                field("fraction", walk.fraction),
+            ],
+            facts: vec![
+                fact("resolution", &format!("2^-{} pixel", walk.fraction)),
+                fact("rounding", &walk.rounding),
+                fact("half a sub-pixel", &format!("after {rows} rows")),
+            ],
+        };
+    }
+    let width = match &profile.form {
+        Form::Homogeneous(machine) => machine.edge_width(vertex),
+        _ => ScanlineConfig::width(vertex),
+    };
+    Word {
+        name: "edge",
+        width,
+        fields: vec![field("edge", width)],
+        facts: vec![fact("exact", "as wide as the vertex field asks")],
     }
 }

@@ -16,7 +16,7 @@ pub use synthesis::{
 
 use crate::cover::{EdgeStorage, EdgeWordConfig, SampleGrid};
 use crate::format::Clamp;
-use crate::machine::EdgeWalkConfig;
+use crate::machine::{EdgeWalkConfig, ScanlineConfig};
 use crate::profile::{Form, InvalidProfile, Profile};
 use crate::setup::{EdgeCoefficients, Gradient, Triangle, VertexConfig};
 use crate::value::DepthConfig;
@@ -102,9 +102,12 @@ pub fn estimate(profile: &Profile) -> Result<Cost, InvalidProfile> {
     let grid = profile.grid()?;
     let units = units(profile);
     let sum = |bits: fn(&Unit) -> u32| units.iter().map(bits).sum();
-    let edge_bits = match &profile.form {
-        Form::EdgeFunction(edges) => edge_setup_bits(*edges, &profile.vertex, &grid),
-        Form::EdgeWalk(walk) => walk_setup_bits(walk, &profile.vertex, &grid),
+    let vertex = &profile.vertex;
+    let edge_bits = match (&profile.form, profile.form.edge(), profile.form.walk()) {
+        (_, Some(edges), _) => edge_setup_bits(*edges, vertex, &grid),
+        (.., Some(walk)) => walk_setup_bits(walk, vertex, &grid),
+        (Form::Homogeneous(machine), ..) => machine.edge_width(vertex) + 1,
+        _ => ScanlineConfig::width(vertex),
     };
     let depth_bits = profile.depth.map_or(0, |d| depth_setup_bits(&d, &profile.vertex, &grid));
     Ok(Cost {
@@ -128,18 +131,35 @@ fn units(profile: &Profile) -> Vec<Unit> {
         adder_bits: copies * width,
         clamp,
     };
-    let edge = match profile.form {
-        Form::EdgeFunction(edges) => unit("edge", 3, edges.width, 4, false),
+    let edge = match (&profile.form, profile.form.edge(), profile.form.walk()) {
+        (_, Some(edges), _) => unit("edge", 3, edges.width, 4, false),
         // Two of three edges are walked at a time; the third waits in set-up.
-        Form::EdgeWalk(EdgeWalkConfig { guard, integer, fraction, .. }) => {
+        (.., Some(EdgeWalkConfig { guard, integer, fraction, .. })) => {
             unit("edge", 2, guard + integer + fraction, 2, false)
         }
+        (Form::Homogeneous(machine), ..) => {
+            unit("edge", 3, machine.edge_width(&profile.vertex), 4, false)
+        }
+        // A quotient and a remainder, each with its step.
+        _ => unit("edge", 2, ScanlineConfig::width(&profile.vertex), 2, false),
     };
-    let depth = profile.depth.map(|depth| {
+    let mut units = vec![edge];
+    if let Some(depth) = profile.depth {
         let width = depth.guard + depth.integer + depth.interpolation;
-        unit("depth", 1, width, 4, depth.clamp != Clamp::Wrap)
-    });
-    std::iter::once(edge).chain(depth).collect()
+        let clamps = depth.clamp != Clamp::Wrap;
+        match profile.form {
+            Form::Gouraud(_) => {
+                units.push(unit("edge-depth", 2, width, 2, false));
+                units.push(unit("depth", 1, width, 2, clamps));
+            }
+            // Its multipliers are combinational: they are in the operations, not here.
+            Form::Barycentric(machine) => {
+                units.push(unit("share", 2, machine.coordinate_width(), 4, clamps));
+            }
+            _ => units.push(unit("depth", 1, width, 4, clamps)),
+        }
+    }
+    units
 }
 
 /// Spec clause `H-2`.

@@ -9,7 +9,8 @@
 
 use crate::cover::FillRule;
 use crate::exact::{self, PlaneNumerator, Rule};
-use crate::model::{Drawing, Model};
+use crate::machine::Sink;
+use crate::model::{Model, Span};
 use crate::profile::Form;
 use crate::setup::Triangle;
 
@@ -61,10 +62,9 @@ impl Tally {
 
 /// The exact rule that a coverage form is judged by.
 pub fn exact_rule(form: &Form) -> Rule {
-    match form {
-        Form::EdgeFunction(edges) if edges.rule == FillRule::Shadow => Rule::Shadow,
-        // A walked edge's left end owns its pixel.
-        Form::EdgeFunction(_) | Form::EdgeWalk(_) => Rule::TopLeft,
+    match form.rule() {
+        FillRule::TopLeft => Rule::TopLeft,
+        FillRule::Shadow => Rule::Shadow,
     }
 }
 
@@ -79,6 +79,36 @@ pub(super) fn above(
     above as f64 / (plane.whole << fraction) as f64
 }
 
+/// Runs and depth accumulators as drawn.
+#[derive(Default)]
+struct Accumulators {
+    spans: Vec<Span>,
+    held: Vec<i128>,
+    zero_area: bool,
+}
+
+impl Sink for Accumulators {
+    fn wants_setup(&self) -> bool {
+        false
+    }
+
+    fn zero_area(&mut self) {
+        self.zero_area = true;
+    }
+
+    fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
+        self.spans.push(Span { y, x0, x1 });
+    }
+
+    fn wants_held(&self) -> bool {
+        true
+    }
+
+    fn held(&mut self, _: u32, _: u32, accumulators: &[i128]) {
+        self.held.extend_from_slice(accumulators);
+    }
+}
+
 /// Compares what the model draws with the exact triangle, sample by sample, within the model's
 /// clip. Calls `each` with column, row and error; returns the tally.
 pub fn triangle_error(
@@ -87,7 +117,7 @@ pub fn triangle_error(
     mut each: impl FnMut(u32, u32, SampleError),
 ) -> Tally {
     let mut tally = Tally::default();
-    let mut drawing = Drawing::default();
+    let mut drawing = Accumulators::default();
     let Ok(grid) = model.profile().grid() else { return tally };
     if model.draw(triangle, &mut drawing).is_err() || drawing.zero_area {
         return tally;
@@ -98,11 +128,9 @@ pub fn triangle_error(
     // Rows of a wrong width can reach beyond the triangle: take what was drawn there, too.
     let drawn_rows =
         drawing.spans.first().map_or(y0..y0, |s| s.y..drawing.spans[drawing.spans.len() - 1].y + 1);
-    let plane = triangle.z.and_then(|z| PlaneNumerator::new(triangle.xy, z));
-    let rounded = model.depth().zip(triangle.normalised().z);
-    let rounded = rounded.map(|(depth, z)| (depth, depth.plane(&triangle.normalised(), z, &grid)));
+    let plane = triangle.z.and_then(|z| PlaneNumerator::new(triangle.xy, z)).zip(model.depth());
     let pitch = 1 << grid.sub_pixel;
-    let mut next = 0;
+    let (mut next, mut held) = (0, drawing.held.iter());
     for y in y0.min(drawn_rows.start)..y1.max(drawn_rows.end) {
         let [x, at_y] = grid.position(0, i128::from(y));
         let exact = exact::covered_row(triangle.xy, (x, at_y), pitch, rule)
@@ -116,17 +144,18 @@ pub fn triangle_error(
         let right = drawn.last().map_or(exact.1, |span| span.x1.max(exact.1));
         for x in left..right {
             let is_drawn = drawn.iter().any(|span| (span.x0..span.x1).contains(&x));
+            // Runs, and so their accumulators, come in the order of y then x.
+            let accumulator = if is_drawn { held.next() } else { None };
             let belongs = (exact.0..exact.1).contains(&x);
             let error = match (is_drawn, belongs) {
                 (false, false) => continue,
                 (false, true) => SampleError::Missing,
                 (true, false) => SampleError::Extra,
-                (true, true) => SampleError::Depth(match (&plane, &rounded) {
-                    (Some(exact), Some((depth, plane))) => {
+                (true, true) => SampleError::Depth(match (&plane, accumulator) {
+                    (Some((exact, depth)), Some(held)) => {
                         // What wraps reads as what it wrapped to; what is clamped, as the clamp.
-                        let held = depth.held(plane, x, y) - depth.start_bias();
                         let at = grid.position(i128::from(x), i128::from(y));
-                        above(exact, at, held, depth.read_out().fraction())
+                        above(exact, at, held - depth.start_bias(), depth.read_out().fraction())
                     }
                     _ => 0.0,
                 }),

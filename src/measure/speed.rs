@@ -1,15 +1,17 @@
 //! The speed side of the trade, as ratios timed in one run.
 //!
 //! Absolute times on shared machines mean little; a ratio of medians of interleaved repeats does.
-//! Four sections: the kernels against plain loops, the depth walk by lane and width, the machines
-//! by triangle size, and speed against accuracy over a ladder of budgets.
+//! Five sections: the kernels against plain loops, the depth walk by lane and width, the machines
+//! by triangle size, speed against accuracy over a ladder of budgets, and the quickest way to memory.
 
+mod fill;
 mod form;
 mod lane;
 mod ratio;
 mod timing;
 mod trade;
 
+pub use fill::FillRow;
 pub use form::{FormRow, SIZES};
 pub use lane::LaneRow;
 pub use ratio::{Ratios, Row};
@@ -29,11 +31,13 @@ pub enum Section {
     Forms,
     /// Speed against accuracy.
     Trade,
+    /// Coverage and depth written to memory by the quickest exact path.
+    Fill,
 }
 
 impl Section {
     /// Every section, in the order they are run.
-    pub const ALL: [Self; 4] = [Self::Ratios, Self::Lanes, Self::Forms, Self::Trade];
+    pub const ALL: [Self; 5] = [Self::Ratios, Self::Lanes, Self::Forms, Self::Trade, Self::Fill];
 
     /// The name arguments and reports use.
     pub const fn name(self) -> &'static str {
@@ -42,6 +46,7 @@ impl Section {
             Self::Lanes => "lanes",
             Self::Forms => "forms",
             Self::Trade => "trade",
+            Self::Fill => "fill",
         }
     }
 }
@@ -64,6 +69,9 @@ pub struct Report {
     /// Speed against accuracy.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub trade: Vec<TradeRow>,
+    /// The quickest exact path.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub fill: Vec<FillRow>,
     /// What stands out, one line a section.
     pub findings: Vec<Finding>,
 }
@@ -99,6 +107,10 @@ pub fn measure(repeats: usize, sections: &[Section]) -> Report {
             Section::Trade => {
                 report.trade = trade::measure(repeats);
                 trade::finding(&report.trade)
+            }
+            Section::Fill => {
+                report.fill = fill::measure(repeats);
+                fill::finding(&report.fill)
             }
         };
         report.findings.push(Finding { section, text });

@@ -22,13 +22,20 @@ pub struct Neighbour {
 pub fn neighbours(profile: &Profile) -> Vec<Neighbour> {
     let mut list = List { profile, found: Vec::new() };
     list.depth();
-    match profile.form {
-        Form::EdgeFunction(edges) => list.edge_function(edges),
-        Form::EdgeWalk(walk) => list.edge_walk(walk),
+    if let Some(edges) = profile.form.edge() {
+        list.edge_words(*edges);
     }
+    if let Some(walk) = profile.form.walk() {
+        list.edge_walk(*walk);
+    }
+    list.rule_alone();
     list.vertex();
     list.found
 }
+
+/// Each rule, its name, and the one it is not.
+const RULES: [(FillRule, &str, &str); 2] =
+    [(FillRule::TopLeft, "top-left", "shadow"), (FillRule::Shadow, "shadow", "top-left")];
 
 struct List<'a> {
     profile: &'a Profile,
@@ -84,40 +91,64 @@ impl List<'_> {
         self.add("depth.division", &"an exact quotient", &was, changed);
     }
 
-    fn edge_function(&mut self, edges: EdgeWordConfig) {
+    /// The rule of a machine that has no edge words.
+    fn rule_alone(&mut self) {
+        for (rule, name, other) in RULES {
+            let mut changed = self.profile.clone();
+            match &mut changed.form {
+                Form::Scanline(machine) => machine.rule = rule,
+                Form::Homogeneous(machine) => machine.rule = rule,
+                _ => continue,
+            }
+            let field = format!("form.{}.rule", changed.form.name());
+            self.add(&field, &name, &other, changed);
+        }
+    }
+
+    fn edge_words(&mut self, edges: EdgeWordConfig) {
         let profile = self.profile;
         let with = |change: &dyn Fn(&mut EdgeWordConfig)| {
-            let mut changed = edges;
-            change(&mut changed);
-            Profile { form: Form::EdgeFunction(changed), ..profile.clone() }
+            let mut changed = profile.clone();
+            if let Some(edges) = changed.form.edge_mut() {
+                change(edges);
+            }
+            changed
         };
-        for (rule, name, other) in
-            [(FillRule::TopLeft, "top-left", "shadow"), (FillRule::Shadow, "shadow", "top-left")]
-        {
-            self.add("form.edge-function.rule", &name, &other, with(&|e| e.rule = rule));
+        let inner = match profile.form {
+            Form::Tiles(_) | Form::Barycentric(_) => ".edge",
+            _ => "",
+        };
+        let field = |name: &str| format!("form.{}{inner}.{name}", profile.form.name());
+        for (rule, name, other) in RULES {
+            self.add(&field("rule"), &name, &other, with(&|e| e.rule = rule));
         }
         for (storage, name, other) in
             [(EdgeStorage::Full, "full", "shifted"), (EdgeStorage::Shifted, "shifted", "full")]
         {
             let changed = with(&|e| e.storage = storage);
-            self.add("form.edge-function.storage", &name, &other, changed);
+            self.add(&field("storage"), &name, &other, changed);
         }
         for width in near(edges.width) {
             let changed = with(&|e| e.width = width);
-            self.add("form.edge-function.width", &width, &edges.width, changed);
+            self.add(&field("width"), &width, &edges.width, changed);
         }
     }
 
     fn edge_walk(&mut self, walk: EdgeWalkConfig) {
         let profile = self.profile;
-        let with = |changed| Profile { form: Form::EdgeWalk(changed), ..profile.clone() };
+        let with = |walk| {
+            let mut changed = profile.clone();
+            changed.form.walk_mut().into_iter().for_each(|old| *old = walk);
+            changed
+        };
+        let field = |name: &str| format!("form.{}.{name}", profile.form.name());
         for rounding in Rounding::ALL {
             let changed = with(EdgeWalkConfig { rounding, ..walk });
-            self.add("form.edge-walk.rounding", &rounding, &walk.rounding, changed);
+            self.add(&field("rounding"), &rounding, &walk.rounding, changed);
         }
         for fraction in near(walk.fraction) {
             let changed = with(EdgeWalkConfig { fraction, ..walk });
-            self.add("form.edge-walk.fraction", &fraction, &walk.fraction, changed);
+            self.add(&field("fraction"), &fraction, &walk.fraction, changed);
         }
     }
 

@@ -74,6 +74,21 @@ impl Plane {
         Self { start, dx: slope(gradient.x), dy: slope(gradient.y) }
     }
 
+    /// The same for a plane given by its value at pixel (0, 0) and its slopes per sub-pixel, all
+    /// over `whole > 0`: what homogeneous set-up makes, where no vertex need have a value.
+    pub fn over(
+        [start, x, y]: [i128; 3],
+        whole: i128,
+        sub_pixel: u32,
+        fraction: u32,
+        rounding: Rounding,
+        division: Division,
+    ) -> Self {
+        let divider = division.by(whole);
+        let slope = |numerator| divider.apply(numerator, sub_pixel + fraction, rounding).0;
+        Self { start: divider.apply(start, fraction, rounding).0, dx: slope(x), dy: slope(y) }
+    }
+
     /// The unwrapped value at pixel (x, y).
     #[inline]
     pub fn at(&self, x: i128, y: i128) -> i128 {

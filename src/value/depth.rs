@@ -126,6 +126,21 @@ impl Depth {
         plane
     }
 
+    /// The rounded plane of a value given by its numerators at pixel (0, 0) and its slopes per
+    /// sub-pixel, over `whole > 0`: for homogeneous set-up, unreduced.
+    pub fn plane_over(&self, numerators: [i128; 3], whole: i128, grid: &SampleGrid) -> Plane {
+        let DepthConfig { rounding, division, interpolation, .. } = self.config;
+        let mut plane =
+            Plane::over(numerators, whole, grid.sub_pixel, interpolation, rounding, division);
+        plane.start += self.start_bias();
+        plane
+    }
+
+    /// The configuration.
+    pub fn config(&self) -> &DepthConfig {
+        &self.config
+    }
+
     /// What the start gains, in accumulator units.
     pub fn start_bias(&self) -> i128 {
         match (self.config.start_bias, self.config.interpolation) {

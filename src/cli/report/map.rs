@@ -33,19 +33,19 @@ enum Seen {
 
 /// One scene through one budget.
 #[derive(Debug)]
-pub(super) struct Map {
+pub(crate) struct Map {
     /// The budget's number.
-    pub(super) index: u64,
+    pub(crate) index: u64,
     /// The scene's name.
-    pub(super) scene: String,
+    pub(crate) scene: String,
     /// Picture size in picture pixels.
-    pub(super) size: [u32; 2],
+    pub(crate) size: [u32; 2],
     /// Pixels that a picture pixel stands for, on a side.
-    pub(super) block: u32,
+    pub(crate) block: u32,
     /// Largest depth error in ULP.
-    pub(super) worst: f64,
+    pub(crate) worst: f64,
     /// Missing and extra samples.
-    pub(super) wrong: [u64; 2],
+    pub(crate) wrong: [u64; 2],
     seen: Vec<Seen>,
 }
 
@@ -74,53 +74,7 @@ pub(super) fn draw(sweep: &Sweep, index: u64) -> Result<Vec<Map>, Failure> {
     #[allow(clippy::cast_precision_loss, reason = "a handful of scenes")]
     let side = SIDE / (stages.len() as f64).sqrt();
     let scenes = stages.iter().zip(&sweep.scenes);
-    scenes.map(|(stage, scene)| one(stage, &profile, index, &scene.name, side)).collect()
-}
-
-fn one(
-    stage: &Stage,
-    profile: &Profile,
-    index: u64,
-    scene: &str,
-    side: f64,
-) -> Result<Map, Failure> {
-    let window = [profile.window.width, profile.window.height];
-    let longer = window[0].max(window[1]);
-    let block = (1..=longer).find(|block| f64::from(longer.div_ceil(*block)) <= side).unwrap_or(1);
-    let size = window.map(|pixels| pixels.div_ceil(block));
-    let mut map = Map {
-        index,
-        scene: scene.to_owned(),
-        size,
-        block,
-        worst: 0.0,
-        wrong: [0; 2],
-        seen: vec![Seen::Nothing; size[0] as usize * size[1] as usize],
-    };
-    let inspector = Inspector::new(stage, profile).map_err(Failure::input)?;
-    for face in &stage.faces {
-        inspector.face(face, Inspected::Depth, |x, y, error| {
-            let seen = match error {
-                SampleError::Depth(ulp) => {
-                    map.worst = map.worst.max(ulp.abs());
-                    Seen::Depth(ulp.abs())
-                }
-                SampleError::Missing => {
-                    map.wrong[0] += 1;
-                    Seen::Missing
-                }
-                SampleError::Extra => {
-                    map.wrong[1] += 1;
-                    Seen::Extra
-                }
-            };
-            let at = (y / block) as usize * size[0] as usize + (x / block) as usize;
-            if seen > map.seen[at] {
-                map.seen[at] = seen;
-            }
-        });
-    }
-    Ok(map)
+    scenes.map(|(stage, scene)| Map::draw(stage, &profile, index, &scene.name, side)).collect()
 }
 
 /// The colours of the scale, in order.
@@ -138,6 +92,54 @@ pub(super) fn colours() -> impl Iterator<Item = Colour> {
 }
 
 impl Map {
+    /// Draws one; `side` is the longest that its sides may be, in picture pixels.
+    pub(crate) fn draw(
+        stage: &Stage,
+        profile: &Profile,
+        index: u64,
+        scene: &str,
+        side: f64,
+    ) -> Result<Self, Failure> {
+        let window = [profile.window.width, profile.window.height];
+        let longer = window[0].max(window[1]);
+        let block =
+            (1..=longer).find(|block| f64::from(longer.div_ceil(*block)) <= side).unwrap_or(1);
+        let size = window.map(|pixels| pixels.div_ceil(block));
+        let mut map = Self {
+            index,
+            scene: scene.to_owned(),
+            size,
+            block,
+            worst: 0.0,
+            wrong: [0; 2],
+            seen: vec![Seen::Nothing; size[0] as usize * size[1] as usize],
+        };
+        let inspector = Inspector::new(stage, profile).map_err(Failure::input)?;
+        for face in &stage.faces {
+            inspector.face(face, Inspected::Depth, |x, y, error| {
+                let seen = match error {
+                    SampleError::Depth(ulp) => {
+                        map.worst = map.worst.max(ulp.abs());
+                        Seen::Depth(ulp.abs())
+                    }
+                    SampleError::Missing => {
+                        map.wrong[0] += 1;
+                        Seen::Missing
+                    }
+                    SampleError::Extra => {
+                        map.wrong[1] += 1;
+                        Seen::Extra
+                    }
+                };
+                let at = (y / block) as usize * size[0] as usize + (x / block) as usize;
+                if seen > map.seen[at] {
+                    map.seen[at] = seen;
+                }
+            });
+        }
+        Ok(map)
+    }
+
     /// The error at a part of the scale, from 0 to 1.
     ///
     /// Each map has a scale of its own, which ends at its worst error: it shows where the errors
@@ -154,7 +156,7 @@ impl Map {
     }
 
     /// The picture as a data URI.
-    pub(super) fn uri(&self) -> Result<String, Failure> {
+    pub(crate) fn uri(&self) -> Result<String, Failure> {
         let last = LEVELS - 1;
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "few levels")]
         let level = |ulp: f64| (self.part(ulp) * f64::from(last)).round() as u8;

@@ -1,23 +1,24 @@
 //! The quantities of the suite, as scenes on a profile's grid.
 
 use super::Push;
-use crate::explore::field::{Field, Value, exact_width};
+use crate::explore::field::{Field, Value};
 use crate::explore::metric::Metric;
 use crate::explore::tolerance::Tolerance;
 use crate::format::Clamp;
-use crate::profile::{Form, Profile};
+use crate::profile::Profile;
 use crate::scene::{Lens, Triangle};
 use crate::value::DepthConfig;
 
 /// Every push that means something for a profile.
 pub(super) fn all(profile: &Profile) -> Vec<Push> {
     let grid = Grid::new(profile);
-    let mut pushes = match profile.form {
-        Form::EdgeFunction(_) => vec![corners(profile, &grid)],
-        Form::EdgeWalk(walk) => {
-            vec![walked_edges(walk.fraction, &grid), ties(walk.fraction, &grid)]
-        }
-    };
+    let mut pushes = Vec::new();
+    if profile.form.edge().is_some() {
+        pushes.push(corners(profile, &grid));
+    }
+    if let Some(walk) = profile.form.walk() {
+        pushes.extend([walked_edges(walk.fraction, &grid), ties(walk.fraction, &grid)]);
+    }
     pushes.extend(walked_area(profile, &grid));
     if let Some(depth) = profile.depth {
         pushes.extend([
@@ -88,7 +89,7 @@ fn down(from: u32) -> Vec<Value> {
 fn corners(profile: &Profile, grid: &Grid) -> Push {
     let (low, high) = grid.field;
     let half = grid.first[0];
-    let own = exact_width(profile).unwrap_or(2);
+    let own = profile.exact_edge_width().unwrap_or(2);
     Push {
         name: "window to its corners",
         pushed: format!(
@@ -149,13 +150,13 @@ fn ties(fraction: u32, grid: &Grid) -> Push {
 
 /// A triangle of twice-area 1 that covers its own vertex: the smallest there is.
 fn walked_area(profile: &Profile, grid: &Grid) -> Option<Push> {
-    let Form::EdgeFunction(_) = profile.form else { return None };
+    profile.form.edge()?;
     let [x, y] = grid.last;
     Some(Push {
         name: "area to 1, coverage",
         pushed: "twice the area 1 in sub-pixels squared, on the last sample".to_owned(),
         field: Field::EdgeWidth,
-        values: down(exact_width(profile).unwrap_or(2)),
+        values: down(profile.exact_edge_width().unwrap_or(2)),
         tolerance: at_most("misclassified", 0.0),
         scenes: grid.keep(vec![([[x, y], [x + 1, y], [x, y + 1]], None)]),
         lens: None,

@@ -1,8 +1,8 @@
 //! Reading a field from a profile, and writing it there. Spec clause `Q-1`.
 
-use super::{BIASES, FORMS, Field, FieldError, QUOTIENT, Value};
+use super::{BIASES, Field, FieldError, QUOTIENT, ROWS, Value};
 use crate::bits::Rounding;
-use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};
+use crate::cover::{EdgeWordConfig, Order, SampleConfig, Stamp, TraversalConfig};
 use crate::format::Clamp;
 use crate::machine::EdgeWalkConfig;
 use crate::profile::{Form, Profile};
@@ -12,21 +12,20 @@ use crate::value::{DepthConfig, StartBias};
 impl Field {
     /// What a profile has here; `None` where it has no such field.
     pub fn read(self, profile: &Profile) -> Option<Value> {
-        let edges = match profile.form {
-            Form::EdgeFunction(edges) => Some(edges),
-            Form::EdgeWalk(_) => None,
-        };
-        let walk = match profile.form {
-            Form::EdgeFunction(_) => None,
-            Form::EdgeWalk(walk) => Some(walk),
-        };
+        let (edges, walk) = (profile.form.edge(), profile.form.walk());
+        let visits = matches!(profile.form, Form::EdgeFunction(_));
         let rounding = |rounding: Rounding| Value::Name(rounding.names().guardbit);
         let depth = profile.depth;
         Some(match self {
             Self::SubPixel => Value::Bits(profile.vertex.sub_pixel),
             Self::VertexInteger => Value::Bits(profile.vertex.integer),
             Self::Snap => rounding(profile.vertex.snap),
-            Self::Form => Value::Name(FORMS[usize::from(walk.is_some())]),
+            Self::Form => Value::Name(profile.form.name()),
+            Self::Traversal if !visits => return None,
+            Self::Traversal => {
+                Value::Name(profile.traversal.map_or(ROWS, |traversal| traversal.order.name()))
+            }
+            Self::Stamp => Value::Name(profile.traversal?.stamp.name()),
             Self::EdgeWidth => Value::Bits(edges?.width),
             Self::WalkFraction => Value::Bits(walk?.fraction),
             Self::WalkInteger => Value::Bits(walk?.integer),
@@ -66,14 +65,32 @@ impl Field {
             Self::VertexInteger => profile.vertex.integer = bits()?,
             Self::Snap => profile.vertex.snap = rounding()?,
             Self::Form => match value {
-                Value::Name(name) if *name == FORMS[0] => to_edge_function(profile),
-                Value::Name(name) if *name == FORMS[1] => to_edge_walk(profile),
-                _ => return Err(self.unfit(value)),
+                Value::Name(name) => {
+                    *profile = profile.with_machine(name).ok_or_else(|| self.unfit(value))?;
+                }
+                Value::Bits(_) => return Err(self.unfit(value)),
             },
+            Self::Traversal => {
+                if !matches!(profile.form, Form::EdgeFunction(_)) {
+                    return Err(self.absent());
+                }
+                let stamp = profile.traversal.map_or(Stamp::One, |traversal| traversal.stamp);
+                let named = |order: &Order| Value::Name(order.name()) == *value;
+                let order = Order::ALL.into_iter().find(named);
+                if order.is_none() && *value != Value::Name(ROWS) {
+                    return Err(self.unfit(value));
+                }
+                profile.traversal = order.map(|order| TraversalConfig { order, stamp });
+            }
+            Self::Stamp => {
+                let named = |stamp: &Stamp| Value::Name(stamp.name()) == *value;
+                let stamp = Stamp::ALL.into_iter().find(named).ok_or_else(|| self.unfit(value))?;
+                profile.traversal.as_mut().ok_or(self.absent())?.stamp = stamp;
+            }
             Self::EdgeWidth => {
                 let width = match value {
                     Value::Bits(bits) => *bits,
-                    Value::Name(_) => exact_width(profile).ok_or(self.absent())?,
+                    Value::Name(_) => profile.exact_edge_width().ok_or(self.absent())?,
                 };
                 self.edges(profile)?.width = width;
             }
@@ -110,17 +127,11 @@ impl Field {
     }
 
     fn edges(self, profile: &mut Profile) -> Result<&mut EdgeWordConfig, FieldError> {
-        match &mut profile.form {
-            Form::EdgeFunction(edges) => Ok(edges),
-            Form::EdgeWalk(_) => Err(self.absent()),
-        }
+        profile.form.edge_mut().ok_or(self.absent())
     }
 
     fn walk(self, profile: &mut Profile) -> Result<&mut EdgeWalkConfig, FieldError> {
-        match &mut profile.form {
-            Form::EdgeWalk(walk) => Ok(walk),
-            Form::EdgeFunction(_) => Err(self.absent()),
-        }
+        profile.form.walk_mut().ok_or(self.absent())
     }
 
     fn depth(self, profile: &mut Profile) -> Result<&mut DepthConfig, FieldError> {
@@ -146,35 +157,5 @@ impl Field {
         }
         profile.vertex.sub_pixel = to;
         Ok(())
-    }
-}
-
-/// The width that holds every edge value of a profile's field and window; `None` under an edge
-/// walk, or where vertex field or sample are malformed.
-pub fn exact_width(profile: &Profile) -> Option<u32> {
-    let Form::EdgeFunction(edges) = profile.form else { return None };
-    profile.vertex.validate().ok()?;
-    let size = (profile.window.width, profile.window.height);
-    Some(edges.exact_width(&profile.vertex, &profile.grid().ok()?, size))
-}
-
-/// The exact edge function in place of a walk.
-fn to_edge_function(profile: &mut Profile) {
-    if let Form::EdgeWalk(_) = profile.form {
-        let (rule, storage) = (FillRule::TopLeft, EdgeStorage::Shifted);
-        profile.form = Form::EdgeFunction(EdgeWordConfig { rule, storage, width: 2 });
-        let width = exact_width(profile).unwrap_or(2);
-        profile.form = Form::EdgeFunction(EdgeWordConfig { rule, storage, width });
-    }
-}
-
-/// The walk of the same width in place of an edge function: one guard bit, the integer bits of the
-/// vertex field, and all the rest as fraction.
-fn to_edge_walk(profile: &mut Profile) {
-    if let Form::EdgeFunction(edges) = profile.form {
-        let (guard, integer) = (1, profile.vertex.integer);
-        let fraction = edges.width.saturating_sub(guard + integer);
-        let rounding = Rounding::NearestEven;
-        profile.form = Form::EdgeWalk(EdgeWalkConfig { guard, integer, fraction, rounding });
     }
 }

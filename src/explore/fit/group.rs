@@ -129,7 +129,7 @@ impl Group {
         tolerances: &[Tolerance],
     ) -> Result<usize, InvalidProfile> {
         let mut profile = profile.clone();
-        if let Form::EdgeFunction(edges) = &mut profile.form {
+        if let Some(edges) = profile.form.edge_mut() {
             // All widths that hold every edge word draw the exact picture.
             edges.width = edges.width.min(self.need(*edges).max(2));
         }

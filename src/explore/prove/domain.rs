@@ -155,6 +155,7 @@ impl Question {
                 storage: EdgeStorage::Shifted,
                 width,
             }),
+            traversal: None,
             depth: None,
         };
         let guard_band = Some(band);
@@ -205,10 +206,7 @@ impl Question {
 
     /// The fill rule; an edge walk owns as top-left does.
     pub(super) fn rule(&self) -> FillRule {
-        match self.profile.form {
-            Form::EdgeFunction(edges) => edges.rule,
-            Form::EdgeWalk(_) => FillRule::TopLeft,
-        }
+        self.profile.form.rule()
     }
 
     pub(super) fn vertex_area(&self) -> Area {

@@ -44,10 +44,8 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
         |(full, stored)| if shift == 0 && storage == EdgeStorage::Full { full } else { stored };
     let needed = |vertices| pick(widths(vertices, samples, s, rule));
     let bits = needed(vertices);
-    let given = match question.profile.form {
-        Form::EdgeFunction(edges) if edges.storage == storage => Some(edges.width),
-        _ => None,
-    };
+    let given = question.profile.form.edge().filter(|edges| edges.storage == storage);
+    let given = given.map(|edges| edges.width);
     let values: Vec<i128> = at_corners(vertices, samples)
         .map(|(edge, e)| Rounding::Floor.shift_right(e + bias(rule, &edge), shift).0)
         .collect();

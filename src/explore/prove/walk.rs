@@ -52,7 +52,7 @@ impl Length {
 
 /// Both claims, for a profile that walks edges.
 pub(super) fn proofs(question: &Question) -> Vec<Proof> {
-    let Form::EdgeWalk(walk) = question.profile.form else { return Vec::new() };
+    let Some(&walk) = question.profile.form.walk() else { return Vec::new() };
     let length = Length::new(question);
     let mut proofs: Vec<Proof> = fraction(question, walk, length).into_iter().collect();
     proofs.push(walk_coverage::proof(question, walk, length));

@@ -5,7 +5,7 @@ use super::run::{Hits, Side, compare};
 use super::stage::{Face, Stage};
 use super::tally::Tally;
 use crate::cover::EdgeWordConfig;
-use crate::machine::Sink;
+use crate::machine::{Sink, Work};
 use crate::model::{Model, Span};
 use crate::profile::{Form, InvalidProfile, Profile};
 
@@ -16,20 +16,27 @@ pub struct Drawn {
     both: Option<(Vec<Span>, Vec<usize>)>,
     /// Missing and extra samples, holes and double hits.
     pub tally: Tally,
-    /// Samples that the machine looked at.
-    pub visited: u64,
-    /// Rows that it went down.
-    pub rows: u64,
+    /// What finding them took.
+    pub work: Work,
     /// Samples that it covered.
     pub covered: u64,
 }
 
-/// Collects runs.
-pub(super) struct Runs(pub(super) Vec<Span>);
+/// Collects runs and work.
+#[derive(Default)]
+pub(super) struct Runs(pub(super) Vec<Span>, pub(super) Work);
 
 impl Sink for Runs {
+    fn wants_setup(&self) -> bool {
+        false
+    }
+
     fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
         self.0.push(Span { y, x0, x1 });
+    }
+
+    fn work(&mut self, work: &Work) {
+        self.1.add(work);
     }
 }
 
@@ -55,18 +62,25 @@ impl Drawn {
     ) -> Result<Result<Self, Tally>, InvalidProfile> {
         let coverage = Profile { depth: None, ..profile.clone() };
         let model = Model::new(&coverage)?;
-        let mut runs = Runs(Vec::new());
+        let mut runs = Runs::default();
         let (mut both, mut ends) = (Vec::new(), Vec::with_capacity(stage.faces.len()));
         let (mut tally, mut hits) = (Tally::default(), Hits::default());
-        let (mut visited, mut rows, mut covered) = (0, 0, 0);
+        let mut covered = 0;
         for (n, face) in stage.faces.iter().enumerate() {
             let exact = &stage.runs[face.runs.clone()];
             // A word that holds every value the walk meets covers what the exact edges do: `B-2`.
-            let certain = match profile.form {
-                Form::EdgeFunction(edges) => needed_width(stage, face, edges) <= edges.width,
-                Form::EdgeWalk(_) => false,
+            // What other machines look at is known by drawing alone.
+            let certain = match (profile.form, profile.traversal) {
+                (Form::EdgeFunction(edges), None) => {
+                    needed_width(stage, face, edges) <= edges.width
+                }
+                _ => false,
             };
             if certain {
+                let [x0, y0, x1, y1] = bounding_box(stage, face);
+                let (rows, columns) = (u64::from(y1 - y0), u64::from(x1 - x0));
+                runs.1.rows += rows;
+                runs.1.visits += rows * columns;
                 both.extend_from_slice(exact);
                 covered += exact.iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
             } else {
@@ -86,17 +100,10 @@ impl Drawn {
                 return Ok(Err(tally));
             }
             ends.push(both.len());
-            let [x0, y0, x1, y1] = bounding_box(stage, face);
-            rows += u64::from(y1 - y0);
-            visited += u64::from(x1 - x0) * u64::from(y1 - y0);
-        }
-        if matches!(profile.form, Form::EdgeWalk(_)) {
-            // A walk visits what it draws.
-            visited = covered;
         }
         (tally.holes, tally.double_hits) = hits.holes_and_doubles();
         let exact = tally.missing == 0;
-        Ok(Ok(Self { both: (!exact).then_some((both, ends)), tally, visited, rows, covered }))
+        Ok(Ok(Self { both: (!exact).then_some((both, ends)), tally, work: runs.1, covered }))
     }
 
     /// How many of the samples that are drawn and right have depth.

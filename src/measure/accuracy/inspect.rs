@@ -1,6 +1,7 @@
 //! One face at a time, sample by sample: for pictures of errors and for witnesses.
 
 use super::drawn::Runs;
+use super::own::Held;
 use super::run::{Side, compare};
 use super::stage::{Face, Stage, Surface};
 use super::value::Walk;
@@ -36,23 +37,32 @@ impl<'a> Inspector<'a> {
     /// Calls `each` with column, row and error of every sample of a face that is covered or should
     /// be; the error of a sample that is both is that of `value`, in ULP.
     pub fn face(&self, face: &Face, value: Value, mut each: impl FnMut(u32, u32, SampleError)) {
-        let mut drawn = Runs(Vec::new());
+        let mut drawn = Runs::default();
         // A triangle that the profile refuses is missing as a whole.
         let _ = self.model.draw(&face.triangle, &mut drawn);
         let surface: Option<&Surface> = match value {
             Value::Depth => face.depth.as_ref(),
             Value::Attribute => face.attribute.as_ref(),
         };
-        let walk = self.model.depth().zip(surface);
+        let depth = self.model.depth().zip(surface);
+        let planar = self.model.profile().form.walks_a_plane();
+        let walk = depth.filter(|_| planar);
         let walk = walk.map(|(depth, surface)| Walk::new(self.stage, depth, face, surface));
+        let own = depth.filter(|_| !planar);
+        let own = own.map(|(_, surface)| (Held::draw(&self.model, face, surface), surface));
+        let ulp = |x, y| match (&walk, &own, self.model.depth()) {
+            (Some(walk), ..) => walk.held_ulp(self.stage, x, y),
+            (_, Some((held, surface)), Some(depth)) => {
+                held.ulp(self.stage, depth, surface, x, y).unwrap_or(0.0)
+            }
+            _ => 0.0,
+        };
         compare(&self.stage.runs[face.runs.clone()], &drawn.0, |side, run| {
             for x in run.x0..run.x1 {
                 let error = match side {
                     Side::Missing => SampleError::Missing,
                     Side::Extra => SampleError::Extra,
-                    Side::Both => SampleError::Depth(
-                        walk.as_ref().map_or(0.0, |walk| walk.held_ulp(self.stage, x, run.y)),
-                    ),
+                    Side::Both => SampleError::Depth(ulp(x, run.y)),
                 };
                 each(x, run.y, error);
             }

@@ -1,5 +1,7 @@
 //! How many arithmetic operations the model's formulas take. Spec clause `H-4`.
 
+mod machine;
+
 use crate::cover::FillRule;
 use crate::format::Clamp;
 use crate::profile::{Form, Profile};
@@ -53,6 +55,8 @@ pub struct Operations {
     pub triangle: Count,
     /// Once a row of the bounding box.
     pub row: Count,
+    /// Once a tile or block tested as a whole.
+    pub tile: Count,
     /// Once a run of covered samples: finding its depth.
     pub run: Count,
     /// Once a visited sample, covered or not. An edge walk visits none in vain.
@@ -79,21 +83,41 @@ const TEST: Count = Count::new(0, 0, 0, 1);
 /// The operations of a valid profile.
 pub(super) fn count(profile: &Profile) -> Operations {
     let mut operations = match profile.form {
-        Form::EdgeFunction(edges) => edge_function(edges.rule),
-        Form::EdgeWalk(_) => edge_walk(),
+        Form::EdgeFunction(edges) => match profile.traversal {
+            None => edge_function(edges.rule),
+            Some(_) => machine::traversed(edges.rule),
+        },
+        Form::EdgeWalk(_) | Form::Gouraud(_) => edge_walk(),
+        Form::EnginePerPixel(edges) => machine::engine_per_pixel(edges.rule),
+        Form::Barycentric(form) => machine::barycentric(form.edge.rule),
+        Form::Tiles(form) => machine::tiles(form.edge.rule),
+        Form::Homogeneous(form) => machine::homogeneous(form.rule),
+        Form::Scanline(_) => machine::scanline(),
     };
-    if let Some(depth) = profile.depth {
-        operations.triangle = operations.triangle + plane(&depth);
-        // A sticky accumulator cannot jump: it walks to the run, however far that is.
-        if depth.clamp != Clamp::Saturate {
-            operations.run = JUMP;
+    let Some(depth) = profile.depth else { return operations };
+    match profile.form {
+        Form::Gouraud(_) => machine::walked_depth(&mut operations),
+        Form::Barycentric(_) => machine::weighted_depth(&mut operations),
+        Form::EnginePerPixel(_) => {
+            // Every engine evaluates the plane, as part of the same tree.
+            operations.triangle = operations.triangle + plane(&depth);
+            operations.visit = operations.visit + STEP;
         }
-        operations.fragment = STEP + read_out(depth.clamp);
+        _ => {
+            operations.triangle = operations.triangle + plane(&depth);
+            // A sticky accumulator cannot jump: it walks to the run, however far that is.
+            if depth.clamp != Clamp::Saturate {
+                operations.run = JUMP;
+            }
+            operations.fragment = STEP;
+        }
     }
+    operations.fragment = operations.fragment + read_out(depth.clamp);
     operations
 }
 
-fn edge_function(rule: FillRule) -> Operations {
+/// One edge function at the first sample, biased.
+fn edge_setup(rule: FillRule) -> Count {
     let owns = match rule {
         // Both rules ask for the sign of dy, whether it is zero, and the sign of dx.
         FillRule::TopLeft | FillRule::Shadow => TEST.times(3),
@@ -102,7 +126,11 @@ fn edge_function(rule: FillRule) -> Operations {
     let constant = Count::new(1, 2, 0, 0);
     let at_first_sample = Count::new(2, 2, 0, 0);
     let bias = Count::new(1, 0, 0, 0);
-    let edge = differences + constant + at_first_sample + bias + owns + JUMP;
+    differences + constant + at_first_sample + bias + owns
+}
+
+fn edge_function(rule: FillRule) -> Operations {
+    let edge = edge_setup(rule) + JUMP;
     Operations {
         triangle: AREA + (EXTENT + PIXELS + CLIP).times(2) + TEST + edge.times(3),
         row: STEP.times(3),

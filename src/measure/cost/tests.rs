@@ -389,7 +389,8 @@ fn agree(profile: &Profile, triangle: Triangle, walk: impl Fn(&Walk) -> Walked) 
         .map(|((y, x), z)| (y, x, *z))
         .collect();
     assert_eq!(walked.samples, drawn);
-    let Operations { triangle, row, run, visit, fragment } = estimate(profile).unwrap().operations;
+    let Operations { triangle, row, run, visit, fragment, tile: _ } =
+        estimate(profile).unwrap().operations;
     let fragments = u64::try_from(walked.samples.len()).unwrap();
     let sum = triangle
         + row.times(walked.rows)

@@ -2,7 +2,7 @@
 
 use super::{Bits, Evaluator, Extremes, Requirements, real, triangle};
 use crate::measure::accuracy::{Face, Stage, bounding_box, needed_width};
-use crate::profile::{Form, Profile};
+use crate::profile::Profile;
 
 pub(super) fn require(stage: &Stage, profile: &Profile, found: &mut Requirements) {
     let pixel = real(1 << stage.grid.sub_pixel);
@@ -75,7 +75,7 @@ fn vertex_bits(stage: &Stage, profile: &Profile) -> Vec<Bits> {
 
 /// Bits of the edge word: the widest that any triangle meets in its bounding box.
 fn edge_bits(stage: &Stage, profile: &Profile) -> Option<Bits> {
-    let Form::EdgeFunction(edges) = profile.form else { return None };
+    let edges = *profile.form.edge()?;
     let widths = stage.faces.iter().map(|face| (needed_width(stage, face, edges), face));
     let (needs, face) = Extremes::of(widths).high?;
     let evidence = format!("an edge of {} in its bounding box", triangle(face));

@@ -196,10 +196,8 @@ mod tests {
 
     #[test]
     fn full_storage_is_the_wider_word() {
-        let [shifted, full, _] = machines().map(|(_, model)| match model.profile().form {
-            Form::EdgeFunction(edges) => edges.width,
-            Form::EdgeWalk(_) => 0,
-        });
+        let [shifted, full, _] =
+            machines().map(|(_, model)| model.profile().form.edge().map_or(0, |edges| edges.width));
         assert_eq!((shifted, full), (35, 45));
     }
 }

@@ -10,7 +10,7 @@ use crate::case::Words;
 use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
 use crate::cover::SampleGrid;
 use crate::format::{Clamp, Column, Decode, ReadOut};
-use crate::profile::{Form, Profile, neighbours};
+use crate::profile::{Profile, neighbours};
 use crate::setup::Triangle;
 use crate::value::Depth;
 use crate::vector::table::Table;
@@ -110,14 +110,14 @@ impl WalkBench {
     }
 
     fn read_out(kind: WalkKind, profile: &Profile, depth: Option<Depth>) -> Option<ReadOut> {
-        match (kind, profile.form) {
-            (WalkKind::Depth, _) => Some(depth?.read_out()),
+        match kind {
+            WalkKind::Depth => Some(depth?.read_out()),
             // An edge word has no fraction that is read out and no clamp.
-            (WalkKind::Edge, Form::EdgeFunction(edges)) => {
-                let integer = edges.width.min(64);
-                ReadOut::new(edges.width - integer, integer, 0, Clamp::Wrap).ok()
+            WalkKind::Edge => {
+                let width = profile.form.edge()?.width;
+                let integer = width.min(64);
+                ReadOut::new(width - integer, integer, 0, Clamp::Wrap).ok()
             }
-            (WalkKind::Edge, Form::EdgeWalk(_)) => None,
         }
     }
 
@@ -189,12 +189,12 @@ impl WalkBench {
         let (y0, _) = self.grid.pixels(1, triangle.extent(1));
         let width = u32::try_from((x1 - x0).clamp(1, 1 << 16)).unwrap_or(1);
         let pattern = Pattern::Raster(width);
-        let (init, dx, dy) = match (self.kind, self.profile.form, self.depth, triangle.z) {
+        let (init, dx, dy) = match (self.kind, self.profile.form.edge(), self.depth, triangle.z) {
             (WalkKind::Depth, _, Some(depth), Some(z)) => {
                 let plane = depth.plane(&triangle, z, &self.grid);
                 (plane.at(x0, y0), plane.dx, plane.dy)
             }
-            (WalkKind::Edge, Form::EdgeFunction(edges), ..) => {
+            (WalkKind::Edge, Some(edges), ..) => {
                 let words = edges.words(&triangle, &self.grid);
                 // Each lap over the scene takes another edge.
                 let k = usize::try_from(index / count % 3).unwrap_or(0);

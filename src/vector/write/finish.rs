@@ -3,7 +3,7 @@
 use super::{Options, Part, SetRequest, file_name};
 use crate::format::Clamp;
 use crate::model::MODEL_VERSION;
-use crate::profile::{Form, Profile};
+use crate::profile::Profile;
 use crate::scene::{self, lines};
 use crate::setup::Triangle;
 use crate::vector::bench::Bench;
@@ -49,14 +49,14 @@ pub fn companions(
 }
 
 fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
-    let clamp = match (profile.depth, profile.form) {
-        (Some(depth), _) => ClampParameters {
+    let clamp = match profile.depth {
+        Some(depth) => ClampParameters {
             guard: depth.guard,
             integer: depth.integer,
             fraction: depth.interpolation,
             mode: depth.clamp.name().to_owned(),
         },
-        (None, Form::EdgeFunction(_) | Form::EdgeWalk(_)) => ClampParameters {
+        None => ClampParameters {
             guard: 0,
             integer: 1,
             fraction: 0,

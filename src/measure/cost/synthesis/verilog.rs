@@ -34,11 +34,10 @@ pub fn sources(profile: &Profile) -> Result<Vec<Source>, InvalidProfile> {
                 let port = format!("[{}:0] value", read.integer() - 1);
                 planar(unit.width, &port, &read_out(read), Some(read))
             }
+            ("edge", Form::EdgeWalk(_) | Form::Gouraud(_) | Form::Scanline(_), _)
+            | ("edge-depth", ..) => linear(unit.width),
             // An edge's read-out: inside is a clear sign bit.
-            (_, Form::EdgeFunction(_), _) => {
-                planar(unit.width, "value", "    assign value = ~acc[N-1];\n", None)
-            }
-            (_, Form::EdgeWalk(_), _) => linear(unit.width),
+            _ => planar(unit.width, "value", "    assign value = ~acc[N-1];\n", None),
         };
         let register_bits = unit.register_bits / unit.copies;
         Source { name: unit.name, copies: unit.copies, register_bits, verilog }

@@ -3,9 +3,7 @@
 use super::TriangleBench;
 use super::quirk::Quirk;
 use super::word::setup_words;
-use crate::machine::WalkedEdge;
 use crate::model::{Drawing, Span};
-use crate::profile::Form;
 use crate::setup::Triangle;
 
 impl TriangleBench {
@@ -28,19 +26,16 @@ impl TriangleBench {
     fn unturned(&self, triangle: &Triangle) -> Vec<i128> {
         let Ok(grid) = self.model.profile().grid() else { return Vec::new() };
         let mut words = Vec::new();
-        match self.model.profile().form {
-            Form::EdgeFunction(edges) => {
-                let edges = edges.words(triangle, &grid);
-                for k in 0..3 {
-                    words.extend([edges.value[k], edges.step_x[k], edges.step_y[k]]);
-                }
+        let form = &self.model.profile().form;
+        if let Some(edges) = form.edge() {
+            let edges = edges.words(triangle, &grid);
+            for k in 0..3 {
+                words.extend([edges.value[k], edges.step_x[k], edges.step_y[k]]);
             }
-            Form::EdgeWalk(walk) => {
-                for k in 0..3 {
-                    let edge = walk.edge(triangle.xy[k], triangle.xy[(k + 1) % 3], &grid);
-                    let words_of = |e: WalkedEdge| [e.start, e.slope, e.first_row, e.end_row];
-                    words.extend(edge.map_or([0; 4], words_of));
-                }
+        } else if let Some(walk) = form.walk() {
+            for k in 0..3 {
+                let edge = walk.edge(triangle.xy[k], triangle.xy[(k + 1) % 3], &grid);
+                words.extend(edge.map_or([0; 4], |edge| edge.words()));
             }
         }
         let turned = triangle.normalised();

@@ -1,0 +1,146 @@
+//! `guardbit compare`: machine against machine on one scene.
+
+mod machine;
+mod picture;
+mod size;
+mod traversal;
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::check_place;
+use super::progress;
+use clap::ValueEnum;
+use guardbit::cover::Stamp;
+use guardbit::measure::comparison::Compared;
+use guardbit::profile::{self, MACHINES, Profile};
+use guardbit::scene::{self, Scene};
+use std::path::PathBuf;
+use std::sync::atomic::Ordering;
+
+/// Machine against machine on one scene: coverage and depth against exact, operations, bits, time.
+///
+/// Every machine of the lectures draws the same scene with the profile's vertex field, fill rule and
+/// words. Exit status 1 if a machine whose coverage is exact by construction differs from the exact
+/// picture.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// A built-in name or a TOML file.
+    #[arg(default_value = "sgi-4k")]
+    profile: String,
+    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles.
+    #[arg(long, default_value = "knot")]
+    scene: String,
+    /// Window, as WIDTHxHEIGHT; the profile's by default, at most 1024 x 1024.
+    #[arg(long, value_parser = super::parse_size)]
+    window: Option<(u32, u32)>,
+    /// What to compare.
+    #[arg(long, value_enum, default_value_t = Show::Machines)]
+    show: Show,
+    /// Only these machines, by the names of `form` in a profile, with commas between.
+    #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_machine)]
+    machines: Vec<&'static str>,
+    /// Pixels a step of a traversal.
+    #[arg(long, value_name = "STAMP", value_parser = parse_stamp, default_value = "1x1")]
+    stamp: Stamp,
+    /// Measure no times: every figure is then the same on every machine.
+    #[arg(long)]
+    no_time: bool,
+    /// Print JSON.
+    #[arg(long)]
+    json: bool,
+    /// Also write a picture: error maps of the machines, or a chart of cost against triangle size.
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Show {
+    /// One row a machine.
+    Machines,
+    /// Cost against triangle size, machine by machine; of the scene only the window counts.
+    Sizes,
+    /// Orders of visits: what each looks at, and which accumulators read otherwise.
+    Traversal,
+}
+
+fn parse_machine(text: &str) -> Result<&'static str, String> {
+    let known = MACHINES.into_iter().map(|(name, _)| name);
+    known
+        .clone()
+        .find(|name| *name == text)
+        .ok_or_else(|| format!("the machines are {}", known.collect::<Vec<_>>().join(", ")))
+}
+
+fn parse_stamp(text: &str) -> Result<Stamp, String> {
+    let found = Stamp::ALL.into_iter().find(|stamp| stamp.name() == text);
+    found.ok_or_else(|| "a stamp is 1x1, 2x1 or 2x2".to_owned())
+}
+
+/// A scene through one profile, about to be compared.
+struct Request<'a> {
+    profile: Profile,
+    scene: Scene,
+    arguments: &'a Arguments,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let mut profile = profile::load(&arguments.profile)?;
+    let window = &mut profile.window;
+    (window.width, window.height) =
+        arguments.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
+    profile.validate().map_err(Failure::input)?;
+    if let Some(path) = &arguments.svg {
+        if arguments.show == Show::Traversal {
+            return Err(Failure::input("--svg: a comparison of orders has no picture")
+                .hint("pictures go with --show machines and --show sizes"));
+        }
+        check_place(path)?;
+    }
+    let model = guardbit::model::Model::new(&profile).map_err(Failure::input)?;
+    let scene = scene::load(&arguments.scene, &model.viewport())?;
+    let request = Request { profile, scene, arguments };
+    match arguments.show {
+        Show::Machines => machine::show(request),
+        Show::Sizes => size::show(request),
+        Show::Traversal => traversal::show(request),
+    }
+}
+
+impl Request<'_> {
+    /// The machines asked for; all of them by default.
+    fn machines(&self) -> Vec<&'static str> {
+        let all = || MACHINES.map(|(name, _)| name).to_vec();
+        if self.arguments.machines.is_empty() { all() } else { self.arguments.machines.clone() }
+    }
+
+    fn timed(&self) -> bool {
+        !self.arguments.no_time
+    }
+}
+
+fn compared(scene: Scene, profile: &Profile) -> Result<Compared, Failure> {
+    Compared::new(scene, profile).map_err(Failure::input)
+}
+
+/// Runs a measurement that asks whether to go on before each part; Ctrl-C ends it.
+fn interruptible<T>(
+    work: impl FnOnce(&mut dyn FnMut() -> bool) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let monitor = progress::monitor();
+    let result = work(&mut || !monitor.cancel.load(Ordering::Relaxed))?;
+    if monitor.cancel.load(Ordering::Relaxed) {
+        return Err(Failure::interrupted("interrupted; nothing was printed"));
+    }
+    Ok(result)
+}
+
+/// A count or a rate, with as many digits as it deserves.
+fn number(value: f64) -> String {
+    match value {
+        0.0 => "0".to_owned(),
+        v if v.abs() >= 1000.0 => format!("{v:.0}"),
+        v if v.abs() >= 10.0 => format!("{v:.1}"),
+        v if v.abs() >= 0.001 => format!("{v:.3}"),
+        v => format!("{v:.1e}"),
+    }
+}

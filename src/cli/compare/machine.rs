@@ -1,0 +1,107 @@
+//! One row a machine.
+
+use super::{Request, compared, interruptible, number, picture};
+use crate::cli::Outcome;
+use crate::cli::failure::Failure;
+use crate::cli::output::{Output, write_text};
+use guardbit::measure::comparison::{Comparison, Row};
+
+pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
+    let (names, timed) = (request.machines(), request.timed());
+    let Request { profile, scene, arguments } = request;
+    let svg = arguments.svg.as_ref().map(|path| (path, scene.clone()));
+    let made = compared(scene, &profile)?;
+    let comparison =
+        interruptible(|go_on| made.measure(&names, timed, go_on).map_err(Failure::input))?;
+    if let Some((path, scene)) = svg {
+        let mut made = compared(scene, &profile)?;
+        write_text(path, &picture::machines(&mut made, &comparison)?)?;
+    }
+    let mut output = Output::new();
+    if arguments.json {
+        output.json(&comparison)?;
+    } else {
+        print(&mut output, &profile.name, &comparison)?;
+    }
+    output.flush()?;
+    // What is exact by construction and differs is a defect of this program.
+    let broken = |row: &&Row| row.exact && row.coverage_differs + row.holes + row.double_hits > 0;
+    match comparison.machines.iter().find(broken) {
+        Some(row) => {
+            eprintln!(
+                "error: {} is exact by construction and differs from the exact picture",
+                row.name
+            );
+            Ok(Outcome::Mismatch)
+        }
+        None => Ok(Outcome::Good),
+    }
+}
+
+fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<(), Failure> {
+    let Comparison { scene, window, triangles, samples, machines, saved } = comparison;
+    output.line(format!(
+        "{scene} through {profile}: {} x {}, {triangles} triangles, {samples} samples",
+        window[0], window[1]
+    ))?;
+    output.line("")?;
+    output.line(
+        "                                     samples              depth error, ULP    accumulator \
+         samples      ns",
+    )?;
+    output.line(
+        "machine           known as           differ  holes twice     worst      mean         bits \
+         evaluated fragment",
+    )?;
+    for row in machines {
+        let depth = |value: Option<f64>| value.map_or("-".to_owned(), number);
+        output.line(format!(
+            "{:<17} {:<17} {:>7} {:>6} {:>5} {:>9} {:>9} {:>12} {:>9} {:>8}",
+            row.name,
+            row.known_as,
+            if row.exact { "exact".to_owned() } else { row.coverage_differs.to_string() },
+            row.holes,
+            row.double_hits,
+            depth(row.depth_worst_ulp),
+            depth(row.depth_mean_ulp),
+            row.accumulator_bits,
+            ratio(row.work.visits, row.fragments),
+            depth(row.ns_per_fragment),
+        ))?;
+    }
+    output.line("")?;
+    output.line(
+        "                  operations a triangle: set-up      operations a fragment: all else",
+    )?;
+    output.line(
+        "machine              add   mul   div   cmp               add     mul     div     cmp",
+    )?;
+    for row in machines {
+        let (t, f) = (row.ops.triangle, row.ops.fragment);
+        output.line(format!(
+            "{:<17} {:>6} {:>5} {:>5} {:>5}          {:>8} {:>7} {:>7} {:>7}",
+            row.name,
+            t.add,
+            t.multiply,
+            t.divide,
+            t.compare,
+            number(f.add),
+            number(f.multiply),
+            number(f.divide),
+            number(f.compare)
+        ))?;
+    }
+    for saved in saved {
+        output.line("")?;
+        output.line(format!(
+            "not needed: {} ({}): saves {} operations a triangle, {} a fragment, {} accumulator bits",
+            saved.evaluator, saved.why, saved.triangle, saved.fragment, saved.bits
+        ))?;
+    }
+    Ok(())
+}
+
+#[allow(clippy::cast_precision_loss, reason = "counts are reported as rates")]
+fn ratio(all: u64, of: u64) -> String {
+    if of == 0 { "-".to_owned() } else { number(all as f64 / of as f64) }
+}

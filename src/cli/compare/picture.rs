@@ -1,0 +1,76 @@
+//! Error maps of all machines side by side, as one SVG.
+
+use crate::cli::failure::Failure;
+use crate::cli::report::Map;
+use guardbit::measure::comparison::{Compared, Comparison};
+use std::fmt::Write as _;
+
+const COLUMNS: usize = 4;
+const GAP: u32 = 16;
+const TITLE: u32 = 44;
+
+/// A map of the coverage and depth error of each machine.
+pub(super) fn machines(
+    compared: &mut Compared,
+    comparison: &Comparison,
+) -> Result<String, Failure> {
+    let mut maps = Vec::new();
+    for row in &comparison.machines {
+        let (profile, stage) = compared.stage(row.name).map_err(Failure::input)?;
+        maps.push(Map::draw(stage, &profile, 0, &comparison.scene, 280.0)?);
+    }
+    let [width, height] = maps.first().map_or([280, 280], |map| map.size);
+    // Small windows are enlarged, pixel by pixel.
+    let zoom = (280 / width.max(height).max(1)).max(1);
+    let (width, height) = (width * zoom, height * zoom);
+    let columns = u32::try_from(maps.len().clamp(1, COLUMNS)).unwrap_or(1);
+    let rows = u32::try_from(maps.len().div_ceil(COLUMNS)).unwrap_or(1);
+    let (whole, tall) = (GAP + columns * (width + GAP), 40 + rows * (height + TITLE + GAP) + 48);
+    // Writing to a String cannot fail.
+    let mut svg = String::new();
+    let _ = write!(
+        svg,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{whole}\" height=\"{tall}\" \
+         font-family=\"sans-serif\" font-size=\"12\" fill=\"#282828\">\n\
+         <rect width=\"{whole}\" height=\"{tall}\" fill=\"#fff\"/>\n\
+         <text x=\"{GAP}\" y=\"26\" font-size=\"16\">{}: coverage and depth against exact</text>\n",
+        escaped(&comparison.scene)
+    );
+    for (n, (map, row)) in (0u32..).zip(maps.iter().zip(&comparison.machines)) {
+        let (x, y) = (GAP + n % columns * (width + GAP), 40 + n / columns * (height + TITLE + GAP));
+        let depth = row.depth_worst_ulp.map_or_else(String::new, |worst| {
+            format!(", depth off by up to {} ULP", super::number(worst))
+        });
+        let wrong = match (row.exact, row.coverage_differs) {
+            (true, 0) => "coverage exact".to_owned(),
+            (_, differs) => format!("{differs} samples differ"),
+        };
+        let _ = write!(
+            svg,
+            "<text x=\"{x}\" y=\"{}\" font-size=\"14\">{} ({})</text>\n\
+             <text x=\"{x}\" y=\"{}\" fill=\"#646464\">{wrong}{depth}</text>\n\
+             <image x=\"{x}\" y=\"{}\" width=\"{width}\" height=\"{height}\" \
+             style=\"image-rendering: pixelated\" href=\"{}\"/>\n",
+            y + 16,
+            row.name,
+            row.known_as,
+            y + 33,
+            y + TITLE,
+            map.uri()?
+        );
+    }
+    let _ = write!(
+        svg,
+        "<text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">Blue to red: depth error, each map on a scale of \
+         its own that ends at its worst.</text>\n\
+         <text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">White: a sample that is missing. Magenta: one too \
+         many.</text>\n</svg>\n",
+        tall - 30,
+        tall - 12
+    );
+    Ok(svg)
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
+}

@@ -1,0 +1,103 @@
+//! What machines share once a run of samples is found: values, read-out and events.
+
+use super::{DrawError, Sink, Target};
+use crate::bits::{Event, Place, SpanEvents};
+use crate::format::{Clamp, ReadOut};
+use crate::setup::{Plane, Triangle};
+use crate::value::Depth;
+
+/// The normalised triangle, or `None` after reporting that it has no area. Spec clause `T-3`.
+pub(super) fn drawable(triangle: &Triangle, out: &mut dyn Sink) -> Option<Triangle> {
+    let triangle = triangle.normalised();
+    if triangle.area2() == 0 {
+        out.zero_area();
+        return None;
+    }
+    Some(triangle)
+}
+
+/// Values and events of the spans of one triangle.
+pub(super) struct Painter {
+    depth: Option<(Depth, Plane)>,
+    values: Vec<u64>,
+}
+
+impl Painter {
+    pub(super) fn new(depth: Option<Depth>, triangle: &Triangle, target: &Target) -> Self {
+        let plane = depth.zip(triangle.z);
+        let plane = plane.map(|(depth, z)| (depth, depth.plane(triangle, z, &target.grid)));
+        Self::over(plane)
+    }
+
+    /// A painter of a plane that is set up already.
+    pub(super) fn over(depth: Option<(Depth, Plane)>) -> Self {
+        Self { depth, values: Vec::new() }
+    }
+
+    /// Hands the set-up words to the sink; a triangle without depth has zeros there.
+    pub(super) fn announce(&self, mut words: Vec<i128>, has_depth: bool, out: &mut dyn Sink) {
+        if has_depth {
+            let plane = self.depth.map(|(_, plane)| plane).unwrap_or_default();
+            words.extend([plane.start, plane.dx, plane.dy]);
+        }
+        out.setup(&words);
+    }
+
+    pub(super) fn span(
+        &mut self,
+        y: u32,
+        x0: u32,
+        x1: u32,
+        out: &mut dyn Sink,
+    ) -> Result<(), DrawError> {
+        let Some((depth, plane)) = &self.depth else {
+            out.span(y, x0, x1, &[]);
+            return Ok(());
+        };
+        let strict = depth.read_out().clamp() == Clamp::Error;
+        if strict || out.wants_events() {
+            report(depth.read_out(), depth.events(plane, y, x0, x1 - x0), out)?;
+        }
+        self.values.resize((x1 - x0) as usize, 0);
+        depth.span(plane, y, x0, &mut self.values);
+        out.span(y, x0, x1, &self.values);
+        if out.wants_held() {
+            let held: Vec<i128> = (x0..x1).map(|x| depth.held(plane, x, y)).collect();
+            out.held(y, x0, &held);
+        }
+        Ok(())
+    }
+}
+
+/// Passes the events of a run on; under the clamp mode `error` a wrap refuses the primitive.
+fn report(read: ReadOut, events: SpanEvents, out: &mut dyn Sink) -> Result<(), DrawError> {
+    if let (Clamp::Error, Some(place)) = (read.clamp(), events.first[Event::Wrap as usize]) {
+        return Err(DrawError::GuardRange { x: place.x, y: place.y });
+    }
+    out.events(&events);
+    Ok(())
+}
+
+/// A run whose unwrapped accumulators a machine found by other means than a plane.
+pub(super) fn accumulated_span(
+    read: ReadOut,
+    (y, x0): (u32, u32),
+    accumulators: &[i128],
+    out: &mut dyn Sink,
+) -> Result<(), DrawError> {
+    if read.clamp() == Clamp::Error || out.wants_events() {
+        let mut events = SpanEvents::default();
+        for (value, x) in accumulators.iter().zip(i64::from(x0)..) {
+            events.note(Place { y: i64::from(y), x }, read.status(*value), *value);
+        }
+        report(read, events, out)?;
+    }
+    let held = |value: &i128| read.reduce(*value).clamp(0, read.top() - 1);
+    let values: Vec<u64> = accumulators.iter().map(|value| read.read(*value)).collect();
+    let length = u32::try_from(values.len()).unwrap_or(u32::MAX);
+    out.span(y, x0, x0 + length, &values);
+    if out.wants_held() {
+        out.held(y, x0, &accumulators.iter().map(held).collect::<Vec<_>>());
+    }
+    Ok(())
+}

@@ -1,0 +1,106 @@
+//! Crow's scanline: the sides of a primitive cut row by row, exactly, by integer remainders, and
+//! spans between them. Draws polygons, too. Spec clauses `A-2` and `A-9`.
+
+use super::painter::{Painter, drawable};
+use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use crate::cover::{FillRule, fits_narrow, scan};
+use crate::format::Column;
+use crate::setup::{Triangle, VertexConfig};
+use crate::value::Depth;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The machine of `[form.scanline]`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct ScanlineConfig {
+    /// Who owns samples on an edge.
+    pub rule: FillRule,
+}
+
+/// Exact spans between the sides of a triangle.
+#[derive(Clone, Debug)]
+pub struct Scanline {
+    config: ScanlineConfig,
+    depth: Option<Depth>,
+    target: Target,
+    narrow: bool,
+    ports: Ports,
+}
+
+impl ScanlineConfig {
+    /// Bits of a side's word: the numerator that is divided once a side.
+    pub const fn width(vertex: &VertexConfig) -> u32 {
+        2 * vertex.difference_bits() + 1
+    }
+}
+
+impl Scanline {
+    /// A machine of validated parts.
+    pub fn new(
+        config: ScanlineConfig,
+        depth: Option<Depth>,
+        vertex: &VertexConfig,
+        target: Target,
+    ) -> Self {
+        let difference = vertex.difference_bits();
+        let setup = (0..3)
+            .flat_map(|k| {
+                let column = |name: &str, meaning: &str| {
+                    let meaning = format!("Side {k}, {meaning}.");
+                    let name = format!("{name}{k}");
+                    Column::new(&name, difference, true, vertex.sub_pixel, &meaning)
+                };
+                let along = "from its upper end to its lower one, in sub-pixels";
+                [
+                    column("x", "x of its upper end in sub-pixels"),
+                    column("y", "y of its upper end in sub-pixels"),
+                    column("dx", &format!("change of x {along}")),
+                    column("dy", &format!("change of y {along}; 0 cuts no row")),
+                ]
+            })
+            .collect();
+        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        Self { config, depth, target, narrow: fits_narrow(difference), ports }
+    }
+
+    /// The spans of a triangle, top to bottom, without values: the quickest exact coverage.
+    pub fn cover(&self, triangle: &Triangle, row: impl FnMut(u32, u32, u32)) {
+        let Target { grid, clip } = &self.target;
+        scan(&triangle.xy, grid, *clip, self.config.rule, self.narrow, row);
+    }
+}
+
+impl Machine for Scanline {
+    fn ports(&self) -> &Ports {
+        &self.ports
+    }
+
+    fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
+        let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
+        let mut painter = Painter::new(self.depth, &triangle, &self.target);
+        if out.wants_setup() {
+            let v = triangle.xy;
+            let sides = (0..3).flat_map(|k| {
+                let (mut top, mut bottom) = (v[k], v[(k + 1) % 3]);
+                if bottom[1] < top[1] {
+                    (top, bottom) = (bottom, top);
+                }
+                [top[0], top[1], bottom[0] - top[0], bottom[1] - top[1]]
+            });
+            painter.announce(sides.collect(), self.depth.is_some(), out);
+        }
+        let mut work = Work::default();
+        let mut done = Ok(());
+        self.cover(&triangle, |y, x0, x1| {
+            work.rows += 1;
+            work.visits += u64::from(x1 - x0);
+            if done.is_ok() {
+                done = painter.span(y, x0, x1, out);
+            }
+        });
+        work.steps = work.visits;
+        out.work(&work);
+        done
+    }
+}

@@ -1,0 +1,314 @@
+//! Machine against machine on one scene: coverage and depth against exact, operations, bits, time.
+//! Spec clauses `A-10` to `A-13`.
+
+mod order;
+mod size;
+
+pub use order::{OrderRow, orders};
+pub use size::{SIZES, SizeRow, sizes};
+
+use super::accuracy::{Drawn, Reference, Stage, Truth, measure};
+use super::cost::{Count, Operations, estimate};
+use super::error::exact_rule;
+use crate::exact::Rule;
+use crate::machine::{Sink, Work};
+use crate::model::Model;
+use crate::profile::{InvalidProfile, MACHINES, Profile};
+use crate::scene::Scene;
+use crate::setup::Triangle;
+use serde::Serialize;
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+/// Operations of a real number of times a fragment.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Rate {
+    /// Additions and subtractions.
+    pub add: f64,
+    /// Multiplications of two variables.
+    pub multiply: f64,
+    /// Divisions, reciprocals included.
+    pub divide: f64,
+    /// Comparisons and sign tests.
+    pub compare: f64,
+}
+
+/// Operations by what they are shared among.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Shares {
+    /// Set-up, once a triangle.
+    pub triangle: Count,
+    /// Everything else, over all covered samples.
+    pub fragment: Rate,
+}
+
+/// One machine on a scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Row {
+    /// The name profiles use.
+    pub name: &'static str,
+    /// The one that a lecture knows it by.
+    pub known_as: &'static str,
+    /// Whether its coverage is exact by construction.
+    pub exact: bool,
+    /// Samples covered that should not be, and the other way round, triangle by triangle.
+    pub coverage_differs: u64,
+    /// Samples of the scene that fewer triangles hit than should.
+    pub holes: u64,
+    /// Samples that more hit.
+    pub double_hits: u64,
+    /// Largest depth error in ULP; absent where the scene has no depth.
+    pub depth_worst_ulp: Option<f64>,
+    /// Mean signed depth error in ULP.
+    pub depth_mean_ulp: Option<f64>,
+    /// Neighbours in depth that change places.
+    pub inversions: u64,
+    /// Operations.
+    pub ops: Shares,
+    /// Bits of all accumulators.
+    pub accumulator_bits: u32,
+    /// What finding the fragments took, over the scene.
+    pub work: Effort,
+    /// Samples covered.
+    pub fragments: u64,
+    /// Nanoseconds a covered sample, set-up included; absent if it was not asked for.
+    pub ns_per_fragment: Option<f64>,
+}
+
+/// [`Work`], as reported.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Effort {
+    /// Rows walked.
+    pub rows: u64,
+    /// Tiles or blocks tested as a whole.
+    pub tiles: u64,
+    /// Samples evaluated.
+    pub visits: u64,
+}
+
+/// What leaving an evaluator out saves.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Saved {
+    /// The evaluator.
+    pub evaluator: &'static str,
+    /// Why the scene does without.
+    pub why: &'static str,
+    /// Operations a triangle of the first machine.
+    pub triangle: u64,
+    /// Operations a covered sample.
+    pub fragment: u64,
+    /// Accumulator bits.
+    pub bits: u32,
+}
+
+/// All machines on a scene.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Comparison {
+    /// The scene.
+    pub scene: String,
+    /// Columns and rows of the window.
+    pub window: [u32; 2],
+    /// Triangles with an area.
+    pub triangles: usize,
+    /// Samples that they cover, hits counted one by one.
+    pub samples: u64,
+    /// A row a machine.
+    pub machines: Vec<Row>,
+    /// Evaluators of the profile that the scene does not need, and that were left out.
+    pub saved: Vec<Saved>,
+}
+
+/// A scene on the grids that its machines share.
+#[derive(Debug)]
+pub struct Compared {
+    reference: Reference,
+    profile: Profile,
+    stages: Vec<(Rule, Stage)>,
+    saved: Vec<Saved>,
+}
+
+impl Compared {
+    /// Brings a scene to a profile's grid, and drops what it does not require.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn new(scene: Scene, profile: &Profile) -> Result<Self, InvalidProfile> {
+        profile.validate()?;
+        let mut profile = profile.clone();
+        let mut saved = Vec::new();
+        let has_depth = scene.triangles.iter().any(|triangle| match triangle {
+            crate::scene::Triangle::Lattice { z, .. } => z.is_some(),
+            crate::scene::Triangle::Real { z, .. } => z.is_some(),
+        });
+        if !has_depth && profile.depth.is_some() {
+            saved.push(without_depth(&profile)?);
+            profile.depth = None;
+        }
+        let reference = Reference::new(scene, &profile);
+        Ok(Self { reference, profile, stages: Vec::new(), saved })
+    }
+
+    /// The profile as compared.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// The profile of a machine, and the scene on its grid.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn stage(&mut self, name: &str) -> Result<(Profile, &Stage), InvalidProfile> {
+        let profile = self.profile.with_machine(name).unwrap_or_else(|| self.profile.clone());
+        let rule = exact_rule(&profile.form);
+        if !self.stages.iter().any(|(known, _)| *known == rule) {
+            let (grid, clip) = (profile.grid()?, profile.window()?);
+            let truth = Truth::new(&self.reference, &grid, clip, rule);
+            self.stages.push((rule, Stage::new(&self.reference, &truth, &profile)?));
+        }
+        let found = self.stages.iter().find(|(known, _)| *known == rule);
+        let (_, stage) = found.unwrap_or_else(|| unreachable!("made above"));
+        Ok((profile, stage))
+    }
+
+    /// Measures the machines of these names; `go_on` is asked before each.
+    ///
+    /// # Errors
+    /// [`InvalidProfile`] names the violated inequality.
+    pub fn measure(
+        mut self,
+        names: &[&str],
+        timed: bool,
+        go_on: &mut dyn FnMut() -> bool,
+    ) -> Result<Comparison, InvalidProfile> {
+        let mut machines = Vec::new();
+        for (name, known_as) in MACHINES.into_iter().filter(|(name, _)| names.contains(name)) {
+            if !go_on() {
+                break;
+            }
+            let (profile, stage) = self.stage(name)?;
+            machines.push(row((name, known_as), stage, &profile, timed)?);
+        }
+        let stage = self.stages.first().map(|(_, stage)| stage);
+        Ok(Comparison {
+            scene: self.reference.name.clone(),
+            window: [self.profile.window.width, self.profile.window.height],
+            triangles: stage.map_or(0, |stage| stage.faces.len()),
+            samples: stage.map_or(0, |stage| stage.samples),
+            machines,
+            saved: self.saved,
+        })
+    }
+}
+
+fn without_depth(profile: &Profile) -> Result<Saved, InvalidProfile> {
+    let with = estimate(profile)?;
+    let without = estimate(&Profile { depth: None, ..profile.clone() })?;
+    let all = |count: Count| count.add + count.multiply + count.divide + count.compare;
+    let [more, less] = [with.operations, without.operations];
+    Ok(Saved {
+        evaluator: "depth",
+        why: "no triangle of the scene has depth",
+        triangle: all(more.triangle) - all(less.triangle),
+        fragment: all(more.fragment) - all(less.fragment),
+        bits: with.adder_bits - without.adder_bits,
+    })
+}
+
+fn row(
+    (name, known_as): (&'static str, &'static str),
+    stage: &Stage,
+    profile: &Profile,
+    timed: bool,
+) -> Result<Row, InvalidProfile> {
+    let drawn = Drawn::new(stage, profile)?;
+    let deviation = measure(stage, &drawn, profile).tally.report();
+    let cost = estimate(profile)?;
+    let depth = deviation.depth.map(|depth| depth.ulp);
+    let fragments = drawn.covered;
+    Ok(Row {
+        name,
+        known_as,
+        exact: profile.covers_exactly(),
+        coverage_differs: deviation.misclassified,
+        holes: deviation.holes,
+        double_hits: deviation.double_hits,
+        depth_worst_ulp: depth.map(|spread| spread.worst),
+        depth_mean_ulp: depth.map(|spread| spread.mean),
+        inversions: deviation.inversions,
+        ops: shares(&cost.operations, &drawn.work, stage.runs.len() as u64, fragments),
+        accumulator_bits: cost.adder_bits,
+        work: Effort { rows: drawn.work.rows, tiles: drawn.work.tiles, visits: drawn.work.visits },
+        fragments,
+        ns_per_fragment: if timed { time(stage, profile, fragments)? } else { None },
+    })
+}
+
+/// Operations over what was counted.
+fn shares(operations: &Operations, work: &Work, runs: u64, fragments: u64) -> Shares {
+    let parts = [
+        (operations.row, work.rows),
+        (operations.tile, work.tiles),
+        (operations.run, runs),
+        (operations.visit, work.visits),
+        (operations.fragment, fragments),
+    ];
+    let sum = |kind: fn(&Count) -> u64| {
+        let all: f64 = parts.iter().map(|(count, times)| real(kind(count)) * real(*times)).sum();
+        if fragments == 0 { 0.0 } else { all / real(fragments) }
+    };
+    Shares {
+        triangle: operations.triangle,
+        fragment: Rate {
+            add: sum(|count| count.add),
+            multiply: sum(|count| count.multiply),
+            divide: sum(|count| count.divide),
+            compare: sum(|count| count.compare),
+        },
+    }
+}
+
+/// Takes spans and values and keeps a sum of them, so that nothing is optimised away.
+#[derive(Default)]
+pub(super) struct Drain(pub(super) u64);
+
+impl Sink for Drain {
+    fn wants_setup(&self) -> bool {
+        false
+    }
+
+    fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
+        let last = depth.last().copied().unwrap_or(0);
+        self.0 = self.0.wrapping_add(u64::from(x1 - x0) ^ u64::from(y) ^ last);
+    }
+}
+
+/// The quickest of a few passes over triangles, in nanoseconds.
+fn quickest(model: &Model, triangles: &[Triangle]) -> f64 {
+    let (begin, mut best, mut passes) = (Instant::now(), Duration::MAX, 0);
+    while passes < 3 || (begin.elapsed() < Duration::from_millis(40) && passes < 1000) {
+        let pass = Instant::now();
+        let mut drain = Drain::default();
+        for triangle in triangles {
+            // What is refused is not drawn.
+            let _ = model.draw(triangle, &mut drain);
+        }
+        black_box(drain.0);
+        best = best.min(pass.elapsed());
+        passes += 1;
+        if begin.elapsed() > Duration::from_secs(2) {
+            break;
+        }
+    }
+    best.as_secs_f64() * 1e9
+}
+
+fn time(stage: &Stage, profile: &Profile, fragments: u64) -> Result<Option<f64>, InvalidProfile> {
+    let model = Model::new(profile)?;
+    let triangles: Vec<Triangle> = stage.faces.iter().map(|face| face.triangle).collect();
+    Ok((fragments > 0).then(|| quickest(&model, &triangles) / real(fragments)))
+}
+
+#[allow(clippy::cast_precision_loss, reason = "figures are reported as real numbers")]
+fn real(value: u64) -> f64 {
+    value as f64
+}

@@ -1,0 +1,192 @@
+//! `guardbit compare`: its keys, its figures against independent ones, and what it refuses.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+fn guardbit(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_guardbit")).args(arguments).output().unwrap()
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = guardbit(arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{stderr}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn machine<'a>(report: &'a Value, name: &str) -> &'a Value {
+    report["machines"].as_array().unwrap().iter().find(|row| row["name"] == name).unwrap()
+}
+
+/// Clause A-12: the keys that outside programs read, every machine, and exact ones exact.
+#[test]
+fn every_machine_has_a_row_with_the_agreed_keys() {
+    let report = json(&["compare", "--scene", "terrain", "--window", "160x120", "--json"]);
+    assert_eq!(report["scene"], "terrain");
+    let rows = report["machines"].as_array().unwrap();
+    assert_eq!(rows.len(), 8);
+    for row in rows {
+        for key in [
+            "name",
+            "exact",
+            "coverage_differs",
+            "holes",
+            "double_hits",
+            "depth_worst_ulp",
+            "depth_mean_ulp",
+            "ops",
+            "accumulator_bits",
+            "ns_per_fragment",
+        ] {
+            assert!(!row[key].is_null(), "{key} in {row}");
+        }
+        for part in ["triangle", "fragment"] {
+            for kind in ["add", "multiply", "divide", "compare"] {
+                assert!(row["ops"][part][kind].is_number(), "{part} {kind} in {row}");
+            }
+        }
+        assert!(row["ns_per_fragment"].as_f64().unwrap() > 0.0);
+        if row["exact"] == true {
+            for key in ["coverage_differs", "holes", "double_hits"] {
+                assert_eq!(row[key], 0, "{key} in {row}");
+            }
+        }
+    }
+    let exact = rows.iter().filter(|row| row["exact"] == true).count();
+    assert_eq!(exact, 6);
+}
+
+/// Clause A-11: operations and work of a right triangle of 6 by 4 pixels, counted by hand.
+#[test]
+fn work_and_operations_of_one_triangle_are_as_counted_by_hand() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("one.jsonl");
+    // Corners (0, 0), (6, 0), (0, 4): rows of 5, 4, 2 and 1 samples, as x < 6 (1 - (y + 1/2) / 4).
+    std::fs::write(&scene, "{\"v\": [[0,0,0],[6144,0,600],[0,4096,900]]}\n").unwrap();
+    let path = scene.to_str().unwrap();
+    let report = json(&["compare", "--scene", path, "--window", "64x64", "--json", "--no-time"]);
+    assert_eq!((&report["samples"], &report["triangles"]), (&12.into(), &1.into()));
+    let work = |name: &str, key: &str| machine(&report, name)["work"][key].as_u64().unwrap();
+    // The box of 6 by 4 samples; what is covered; the window; one tile of 16 by 16.
+    assert_eq!(work("edge-function", "visits"), 24);
+    assert_eq!(work("edge-walk", "visits"), 12);
+    assert_eq!(work("engine-per-pixel", "visits"), 4096);
+    assert_eq!((work("tiles", "tiles"), work("tiles", "visits")), (1, 256));
+    // Three edge words stepped and tested at 24 places, three down at each of 4 rows, a jump to each of
+    // 4 runs, and at 12 a step of depth and the bias of its read-out: (72 + 12 + 8 + 24) / 12
+    // additions.
+    let fragment = &machine(&report, "edge-function")["ops"]["fragment"];
+    assert!((fragment["add"].as_f64().unwrap() - 116.0 / 12.0).abs() < 1e-12, "{fragment}");
+    assert!((fragment["multiply"].as_f64().unwrap() - 8.0 / 12.0).abs() < 1e-12, "{fragment}");
+    // Two walked sides of three with two quotients each, and the plane's three.
+    assert_eq!(machine(&report, "edge-walk")["ops"]["triangle"]["divide"], 9);
+    // No plane, but two quotients of depth an edge; one more for each of four spans of twelve samples.
+    let gouraud = &machine(&report, "gouraud")["ops"];
+    assert_eq!(gouraud["triangle"]["divide"], 12);
+    assert!((gouraud["fragment"]["divide"].as_f64().unwrap() - 4.0 / 12.0).abs() < 1e-12);
+    // 35 bits of each edge, 39 of depth.
+    assert_eq!(machine(&report, "edge-function")["accumulator_bits"], 3 * 35 + 39);
+}
+
+/// Clause A-13: a scene without depth has no depth evaluator, and the report says what that saves.
+#[test]
+fn an_evaluator_that_the_scene_does_not_need_is_left_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("flat.jsonl");
+    std::fs::write(&scene, "{\"v\": [[0,0],[6144,0],[0,4096]]}\n").unwrap();
+    let path = scene.to_str().unwrap();
+    let report = json(&["compare", "--scene", path, "--window", "64x64", "--json", "--no-time"]);
+    let saved = &report["saved"][0];
+    assert_eq!((&saved["evaluator"], &saved["bits"]), (&"depth".into(), &39.into()));
+    assert!(saved["triangle"].as_u64().unwrap() > 0 && saved["fragment"].as_u64().unwrap() > 0);
+    let row = machine(&report, "edge-function");
+    assert!(row["depth_worst_ulp"].is_null());
+    assert_eq!(row["accumulator_bits"], 3 * 35);
+    let text = guardbit(&["compare", "--scene", path, "--window", "64x64", "--no-time"]);
+    let text = String::from_utf8(text.stdout).unwrap();
+    assert!(text.contains("not needed: depth"), "{text}");
+}
+
+/// Clause O-4: orders read alike with wrapping accumulators, and some do not with others.
+#[test]
+fn orders_are_compared_by_what_their_accumulators_read() {
+    let report = json(&[
+        "compare",
+        "--scene",
+        "knot",
+        "--window",
+        "64x64",
+        "--show",
+        "traversal",
+        "--stamp",
+        "2x2",
+        "--json",
+    ]);
+    let rows = report["traversal"].as_array().unwrap();
+    assert_eq!(rows.len(), 7);
+    for row in rows {
+        assert_eq!((&row["coverage_differs"], &row["wrapping_differs"]), (&0.into(), &0.into()));
+    }
+    let sum = |key: &str| rows.iter().map(|row| row[key].as_u64().unwrap()).sum::<u64>();
+    assert!(sum("floating_differs") > 0 && sum("sticky_differs") > 0, "{rows:?}");
+    let of = |order: &str, key: &str| {
+        rows.iter().find(|row| row["order"] == order).unwrap()[key].as_f64().unwrap()
+    };
+    assert!(of("bounding-box", "floating_differs") < 0.5);
+    assert!(of("zigzag", "visits_per_fragment") < of("bounding-box", "visits_per_fragment"));
+    assert!(of("tiles", "tiles") > 0.0);
+}
+
+/// Cost against size: set-up outweighs a pixel of a small triangle, and no machine's cost a pixel
+/// grows from one size to the next but by its own overhead.
+#[test]
+fn cost_against_size_falls_as_triangles_grow() {
+    let report =
+        json(&["compare", "--window", "512x512", "--show", "sizes", "--no-time", "--json"]);
+    let rows = report["sizes"].as_array().unwrap();
+    let cost = |machine: &str, pixels: u64| {
+        let row = rows.iter().find(|r| r["machine"] == machine && r["pixels"] == pixels).unwrap();
+        row["operations"].as_f64().unwrap() / row["covered"].as_f64().unwrap()
+    };
+    for machine in ["edge-function", "edge-walk", "gouraud", "barycentric", "scanline", "tiles"] {
+        assert!(cost(machine, 10) > 1.3 * cost(machine, 10_000), "{machine}");
+    }
+    // Lecture A: an engine at every pixel is extremely inefficient for small triangles.
+    assert!(cost("engine-per-pixel", 10) > 100.0 * cost("edge-function", 10));
+}
+
+#[test]
+fn pictures_are_written_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.svg");
+    let out = path.to_str().unwrap();
+    let common = ["compare", "--scene", "fan", "--window", "64x48", "--no-time", "--svg"];
+    let ran = guardbit(&[&common[..], &[out]].concat());
+    assert_eq!(ran.status.code(), Some(0), "{}", String::from_utf8_lossy(&ran.stderr));
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert_eq!(text.matches("<image").count(), 8);
+    assert!(text.trim_end().ends_with("</svg>") && text.contains("recursive descent"));
+    let nowhere = folder.path().join("no/such/b.svg");
+    let ran = guardbit(&[&common[..], &[nowhere.to_str().unwrap()]].concat());
+    assert_eq!(ran.status.code(), Some(3));
+    assert!(ran.stdout.is_empty());
+}
+
+#[test]
+fn nonsense_is_refused_with_what_to_do() {
+    for (arguments, status, hint) in [
+        (&["--machines", "pineda"][..], 2, "edge-function"),
+        (&["--stamp", "3x3"], 2, "1x1"),
+        (&["--scene", "nothing"], 2, "knot"),
+        (&["--window", "0x5"], 2, "1 to 65536"),
+        (&["--show", "traversal", "--svg", "x.svg"], 2, "machines"),
+        (&["missing.toml"], 3, "missing.toml"),
+    ] {
+        let ran = guardbit(&[&["compare"], arguments].concat());
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert_eq!(ran.status.code(), Some(status), "{arguments:?}: {stderr}");
+        assert!(stderr.contains(hint), "{arguments:?}: {stderr}");
+    }
+}

@@ -1,0 +1,631 @@
+//! Every machine and every order of visits against the exact truth, and against each other.
+#![allow(
+    clippy::unwrap_used,
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    reason = "a test may panic, and its numbers are small"
+)]
+
+use guardbit::bits::Rounding;
+use guardbit::case::Words;
+use guardbit::cover::{FillRule, Order, Stamp, TraversalConfig};
+use guardbit::exact::{Outline, PlaneNumerator, Rule};
+use guardbit::format::Clamp;
+use guardbit::machine::{Sink, serial_plane};
+use guardbit::measure::error::{SampleError, triangle_error};
+use guardbit::model::{Drawing, Model, Span};
+use guardbit::profile::{Form, MACHINES, Profile, load};
+use guardbit::scene;
+use guardbit::setup::Triangle;
+
+/// A profile of toy size: 4 x 4 pixels, two sub-pixel bits, three bits of depth.
+fn toy(rule: FillRule) -> Profile {
+    let mut profile = load("tiny").unwrap();
+    if let Some(edge) = profile.form.edge_mut() {
+        edge.rule = rule;
+        edge.width = 40;
+    }
+    profile
+}
+
+/// The machines whose coverage is exact, and edge functions in every order.
+fn exact_machines(base: &Profile) -> Vec<(String, Profile)> {
+    let mut list: Vec<(String, Profile)> = MACHINES
+        .iter()
+        .map(|(name, _)| ((*name).to_owned(), base.with_machine(name).unwrap()))
+        .filter(|(_, profile)| profile.covers_exactly())
+        .collect();
+    assert_eq!(list.len(), 6, "two of eight walk their edges");
+    for order in Order::ALL {
+        for stamp in Stamp::ALL {
+            let traversal = Some(TraversalConfig { order, stamp });
+            let profile = Profile { traversal, ..base.clone() };
+            list.push((format!("{} {}", order.name(), stamp.name()), profile));
+        }
+    }
+    list
+}
+
+/// The exact spans of a triangle in a profile's window.
+fn exact_spans(profile: &Profile, triangle: &Triangle) -> Vec<Span> {
+    let (grid, window) = (profile.grid().unwrap(), profile.window().unwrap());
+    let rule = match profile.form.rule() {
+        FillRule::TopLeft => Rule::TopLeft,
+        FillRule::Shadow => Rule::Shadow,
+    };
+    let outline = Outline::new(triangle.xy);
+    let [x, _] = grid.position(0, 0);
+    let mut spans = Vec::new();
+    if triangle.area2() == 0 {
+        return spans;
+    }
+    for y in window.y0..window.y1 {
+        let at = grid.position(0, i128::from(y))[1];
+        if let Some(cut) = outline.row(at, (x, 1 << grid.sub_pixel), rule) {
+            let (x0, x1) = window.clip(0, cut);
+            if x0 < x1 {
+                spans.push(Span { y, x0, x1 });
+            }
+        }
+    }
+    spans
+}
+
+fn draw(model: &Model, triangle: &Triangle) -> Drawing {
+    let mut drawing = Drawing::default();
+    model.draw(triangle, &mut drawing).unwrap();
+    drawing
+}
+
+/// Triangles of the toy grid: every pair of points as an edge, and every 29th third vertex, so that
+/// each edge meets apexes on both sides, on samples and beside them.
+fn toy_triangles(profile: &Profile) -> Vec<Triangle> {
+    let (low, high) = profile.vertex.range();
+    let points: Vec<[i128; 2]> =
+        (low..=high).flat_map(|y| (low..=high).map(move |x| [x, y])).collect();
+    let mut list = Vec::new();
+    for (i, a) in points.iter().enumerate() {
+        for (j, b) in points.iter().enumerate() {
+            for c in points.iter().skip((i * 7 + j * 3) % 29).step_by(29) {
+                let z = [(i % 8) as i128, (j % 8) as i128, ((i + j) % 8) as i128];
+                list.push(Triangle { xy: [*a, *b, *c], z: Some(z) });
+            }
+        }
+    }
+    list
+}
+
+/// Clauses, O-1 and O-2: all exact machines and all orders cover what the
+/// outline's rational cuts say, and those that walk a plane read the same depth and events.
+#[test]
+fn exact_machines_and_orders_agree_on_every_toy_triangle() {
+    for rule in FillRule::ALL {
+        let base = toy(rule);
+        let reference = Model::new(&base).unwrap();
+        let triangles = toy_triangles(&base);
+        assert!(triangles.len() > 10_000, "{}", triangles.len());
+        let wanted: Vec<(Vec<Span>, Drawing)> = triangles
+            .iter()
+            .map(|triangle| (exact_spans(&base, triangle), draw(&reference, triangle)))
+            .collect();
+        for (name, profile) in exact_machines(&base) {
+            let model = Model::new(&profile).unwrap();
+            let planar = profile.form.walks_a_plane();
+            for (triangle, (spans, drawn)) in triangles.iter().zip(&wanted) {
+                let got = draw(&model, triangle);
+                assert_eq!(&got.spans, spans, "{name} {rule:?} {triangle:?}");
+                if planar {
+                    assert_eq!(got.depth, drawn.depth, "{name} {triangle:?}");
+                    assert_eq!(got.events, drawn.events, "{name} {triangle:?}");
+                }
+            }
+        }
+    }
+}
+
+/// The same on the built-in scenes, in a window that no tile divides.
+#[test]
+fn exact_machines_and_orders_agree_on_the_built_in_scenes() {
+    let mut base = load("sgi-4k").unwrap();
+    base.window = guardbit::profile::WindowConfig { width: 203, height: 157 };
+    let machines: Vec<(String, Model)> = exact_machines(&base)
+        .into_iter()
+        .map(|(name, profile)| (name, Model::new(&profile).unwrap()))
+        .collect();
+    for (scene, _) in scene::builtin_names() {
+        let viewport = machines[0].1.viewport();
+        let scene = scene::load(scene, &viewport).unwrap();
+        let mut covered = 0;
+        for triangle in scene.triangles.iter().step_by(1 + scene.triangles.len() / 400) {
+            let Ok(triangle) = machines[0].1.snap(triangle) else { continue };
+            let spans = exact_spans(&base, &triangle);
+            covered += spans.len();
+            let depth = draw(&machines[0].1, &triangle).depth;
+            for (name, model) in &machines {
+                let got = draw(model, &triangle);
+                assert_eq!(got.spans, spans, "{name} on {} {triangle:?}", scene.name);
+                if model.profile().form.walks_a_plane() {
+                    assert_eq!(got.depth, depth, "{name} on {} {triangle:?}", scene.name);
+                }
+            }
+        }
+        assert!(covered > 20, "{}", scene.name);
+    }
+}
+
+/// How far depth may be off: clauses, in ULP, with exact slopes of the plane.
+fn bound(profile: &Profile, triangle: &Triangle) -> f64 {
+    let real = |value: i128| value as f64;
+    let depth = profile.depth.unwrap();
+    let (z, grid) = (triangle.z.unwrap(), profile.grid().unwrap());
+    let unit = |rounding: Rounding| if rounding.is_nearest() { 0.5 } else { 1.0 };
+    let ulp = (-f64::from(depth.interpolation)).exp2();
+    let window = [profile.window.width, profile.window.height].map(f64::from);
+    match profile.form {
+        Form::Gouraud(walk) => {
+            let plane = PlaneNumerator::new(triangle.xy, z).unwrap();
+            let pixel = real(1 << grid.sub_pixel);
+            let slope = (real(plane.slope[0]) * pixel / real(plane.whole)).abs();
+            let (low, high) = triangle.extent(1);
+            let rows = (real(high - low) / pixel).min(window[1]) + 2.0;
+            let (low, high) = triangle.extent(0);
+            let columns = (real(high - low) / pixel).min(window[0]) + 2.0;
+            let x_off = unit(walk.rounding) * (-f64::from(walk.fraction)).exp2();
+            rows * (unit(depth.rounding) * ulp + slope * x_off)
+                + columns * unit(depth.rounding) * ulp
+        }
+        Form::Barycentric(machine) => {
+            let steps = 1.0 + window[0] + window[1];
+            let share = unit(machine.rounding) * (-f64::from(machine.coordinate)).exp2() * steps;
+            let rise = real((z[1] - z[0]).abs() + (z[2] - z[0]).abs());
+            rise * share + ulp
+        }
+        _ => (1.0 + window[0] + window[1]) * unit(depth.rounding) * ulp,
+    }
+}
+
+/// Clauses: depth stays within each machine's stated bound, and a walked edge
+/// is wrong only at samples nearer to an edge than its x can be off.
+#[test]
+fn inexact_machines_stay_within_their_bounds() {
+    let mut worst = [0.0f64; 8];
+    for index in 0..400 {
+        let mut words = Words::new(21, 9, index);
+        let mut base = load("sgi-4k").unwrap();
+        base.window = guardbit::profile::WindowConfig { width: 64, height: 48 };
+        let reach = [40, 200, 4000, 60_000][index as usize % 4];
+        let centre = [words.between(0, 60_000), words.between(0, 45_000)];
+        let mut point =
+            || [0, 1].map(|axis| (centre[axis] + words.between(-reach, reach)).clamp(0, 65_536));
+        let xy = [point(), point(), point()];
+        let z = [(); 3].map(|()| words.between(0, (1 << 24) - 1));
+        let triangle = Triangle { xy, z: Some(z) }.normalised();
+        if triangle.area2() == 0 {
+            continue;
+        }
+        for (n, (name, _)) in MACHINES.iter().enumerate() {
+            let profile = base.with_machine(name).unwrap();
+            let model = Model::new(&profile).unwrap();
+            let limit = bound(&profile, &triangle);
+            // What would leave the depth range is clamped, and only nearer to the truth for it.
+            triangle_error(&model, &triangle, |x, y, error| match error {
+                SampleError::Depth(ulp) => {
+                    assert!(ulp.abs() <= limit, "{name}: {ulp} > {limit} at {x} {y} {triangle:?}");
+                    worst[n] = worst[n].max(ulp.abs() / limit);
+                }
+                SampleError::Missing | SampleError::Extra => {
+                    assert!(!profile.covers_exactly(), "{name} at {x} {y} {triangle:?}");
+                    assert!(near_an_edge(&profile, &triangle, x, y), "{name} at {x} {y}");
+                }
+            });
+        }
+    }
+    // The bounds are no wider than the errors call for.
+    assert!(worst.iter().all(|part| *part > 0.02), "{worst:?}");
+}
+
+/// Whether a sample lies within the walk's error of an edge that its row crosses: (rows + 1) units
+/// of its last place, on the pixel scale.
+fn near_an_edge(profile: &Profile, triangle: &Triangle, x: u32, y: u32) -> bool {
+    let walk = profile.form.walk().unwrap();
+    let at = profile.grid().unwrap().position(x.into(), y.into());
+    (0..3).any(|k| {
+        let (a, b) = (triangle.xy[k], triangle.xy[(k + 1) % 3]);
+        let (dx, dy) = (b[0] - a[0], b[1] - a[1]);
+        // Horizontal distance to the edge times |dy|, exactly.
+        let off = ((at[0] - a[0]) * dy - (at[1] - a[1]) * dx).abs();
+        let rows = dy.abs() / (1 << profile.vertex.sub_pixel) + 2;
+        let slack = rows * dy.abs();
+        off << walk.fraction <= slack << profile.vertex.sub_pixel
+    })
+}
+
+/// Clause A-4: the tree of serial adders is multiplication, for every pixel of a toy screen.
+#[test]
+fn the_serial_tree_multiplies() {
+    for width in [1, 3, 5, 8] {
+        for a in -9..9 {
+            for b in [-17, -3, 0, 1, 6, 100] {
+                for (x, y) in (0..12u32).flat_map(|x| (0..7u32).map(move |y| (x, y))) {
+                    let c = a * 5 - b;
+                    let wanted = (c + a * i128::from(x) + b * i128::from(y)) & ((1 << width) - 1);
+                    assert_eq!(serial_plane([a, b, c], [x, y], width), wanted.cast_unsigned());
+                }
+            }
+        }
+    }
+    let wide = serial_plane([-(1 << 90), 3, 1 << 100], [65_535, 65_535], 128);
+    assert_eq!(wide.cast_signed(), (1 << 100) - (65_535 << 90) + 3 * 65_535);
+}
+
+/// Clause O-4: an accumulator that holds what leaves its range reads by its path; one that wraps
+/// does not.
+#[test]
+fn a_sticky_accumulator_depends_on_the_order() {
+    let mut base = load("sgi-4k").unwrap();
+    base.window = guardbit::profile::WindowConfig { width: 16, height: 16 };
+    // The plane leaves the range right of the diagonal and comes back further down.
+    let triangle = Triangle {
+        xy: [[0, 0], [16 << 10, 2 << 10], [3 << 10, 16 << 10]],
+        z: Some([16_777_215, 16_777_000, 3]),
+    };
+    let depths = |clamp: Clamp| {
+        let seen = |order: Order| {
+            let mut profile = base.clone();
+            profile.traversal = Some(TraversalConfig { order, stamp: Stamp::One });
+            profile.depth.iter_mut().for_each(|depth| depth.clamp = clamp);
+            draw(&Model::new(&profile).unwrap(), &triangle).depth
+        };
+        Order::ALL.map(seen)
+    };
+    let wrapped = depths(Clamp::Guard);
+    assert!(wrapped.iter().all(|depth| *depth == wrapped[0] && depth.len() > 50));
+    let sticky = depths(Clamp::Saturate);
+    assert!(sticky.iter().any(|depth| *depth != sticky[0]), "some order reads otherwise");
+}
+
+/// Clause O-4: an edge walk entered at another row is rounded there, and not where it was walked to.
+#[test]
+fn a_walked_edge_depends_on_where_it_is_entered() {
+    let base = load("sgi-4k").unwrap();
+    let (grid, walked) = (base.grid().unwrap(), base.with_machine("edge-walk").unwrap());
+    let walk = walked.form.walk().unwrap();
+    let mut differ = 0;
+    for index in 0..200 {
+        let mut words = Words::new(6, 1, index);
+        let to = [words.between(0, 1 << 22), words.between(1 << 21, 1 << 22)];
+        let edge = walk.edge([512, 0], to, &grid).unwrap();
+        let row = edge.first_row + 100;
+        let entered = guardbit::exact::edge_x([512, 0], to, grid.position(0, row)[1]).unwrap();
+        let scale = guardbit::exact::dyadic(1, grid.sub_pixel);
+        let unit = guardbit::exact::integer(1 << walk.fraction);
+        let entered = guardbit::exact::round(&(entered * scale * unit), walk.rounding);
+        differ += u32::from(entered != (edge.start + edge.slope * 100).into());
+    }
+    assert!(differ > 100, "{differ}");
+}
+
+/// Counts nothing and wants nothing.
+struct Nothing(u64);
+
+impl Sink for Nothing {
+    fn wants_setup(&self) -> bool {
+        false
+    }
+
+    fn span(&mut self, _: u32, x0: u32, x1: u32, _: &[u64]) {
+        self.0 += u64::from(x1 - x0);
+    }
+}
+
+/// Keeps what a drawing took.
+struct Worked(guardbit::machine::Work);
+
+impl Sink for Worked {
+    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
+
+    fn work(&mut self, work: &guardbit::machine::Work) {
+        self.0.add(work);
+    }
+}
+
+/// Clause A-10: the work of a machine grows with what it covers, not with the window.
+#[test]
+fn a_small_triangle_costs_the_same_in_any_window() {
+    let triangle = Triangle {
+        xy: [[40 << 10, 40 << 10], [44 << 10, 41 << 10], [41 << 10, 44 << 10]],
+        z: Some([0, 5, 9]),
+    };
+    for (name, _) in MACHINES.iter().filter(|(name, _)| *name != "engine-per-pixel") {
+        let mut works = Vec::new();
+        for side in [64, 4096] {
+            let mut profile = load("sgi-4k").unwrap();
+            profile.window = guardbit::profile::WindowConfig { width: side, height: side };
+            let model = Model::new(&profile.with_machine(name).unwrap()).unwrap();
+            let mut worked = Worked(guardbit::machine::Work::default());
+            model.draw(&triangle, &mut worked).unwrap();
+            let mut covered = Nothing(0);
+            model.draw(&triangle, &mut covered).unwrap();
+            assert!(covered.0 > 5);
+            works.push(worked.0);
+        }
+        // A descent has one more level each time the window doubles, and looks at up to
+        // eight blocks there.
+        let levels = if *name == "homogeneous" { 8 * 6 } else { 0 };
+        assert_eq!(works[0].visits, works[1].visits, "{name}");
+        assert!(works[1].tiles <= works[0].tiles + levels, "{name} {works:?}");
+    }
+}
+
+/// Takes down which stamps are visited, in order, over a primitive that is everywhere.
+struct Visited(Vec<[u32; 2]>);
+
+impl guardbit::cover::Visitor for Visited {
+    fn stamp(&mut self, x: u32, y: u32) -> guardbit::cover::Outside {
+        self.0.push([x, y]);
+        guardbit::cover::Outside { left: false, right: false }
+    }
+
+    fn block(&mut self, _: u32, _: u32, _: u32) -> guardbit::cover::Block {
+        guardbit::cover::Block::Partly
+    }
+}
+
+/// Clauses O-2 and O-3: every order visits every stamp of a box that is covered everywhere, the plain
+/// one row by row, the curves by their definition.
+#[test]
+fn orders_visit_what_they_are_defined_to() {
+    for stamp in Stamp::ALL {
+        let [width, height] = stamp.size();
+        for order in Order::ALL {
+            let mut visited = Visited(Vec::new());
+            TraversalConfig { order, stamp }.visit([5, 3, 21, 19], &mut visited);
+            let mut once = visited.0.clone();
+            once.sort_unstable_by_key(|[x, y]| (*y, *x));
+            once.dedup();
+            let rows = (3 / height..19u32.div_ceil(height)).map(|y| y * height);
+            let all: Vec<[u32; 2]> = rows
+                .flat_map(|y| (5 / width..21u32.div_ceil(width)).map(move |x| [x * width, y]))
+                .collect();
+            assert_eq!(once, all, "{order:?} {stamp:?}");
+            if order == Order::BoundingBox {
+                assert_eq!(visited.0, all);
+            }
+        }
+    }
+    let path = |order| {
+        let mut visited = Visited(Vec::new());
+        TraversalConfig { order, stamp: Stamp::One }.visit([0, 0, 16, 16], &mut visited);
+        visited.0
+    };
+    let hilbert = path(Order::Hilbert);
+    assert_eq!((hilbert[0], hilbert[255]), ([0, 0], [15, 0]));
+    let near = |w: &[[u32; 2]]| w[0][0].abs_diff(w[1][0]) + w[0][1].abs_diff(w[1][1]) == 1;
+    assert!(hilbert.windows(2).all(near), "each next to the one before");
+    for (n, [x, y]) in path(Order::Morton).into_iter().enumerate() {
+        let interleaved = (0..4).fold(0, |sum, bit| {
+            sum | (x >> bit & 1) << (2 * bit) | (y >> bit & 1) << (2 * bit + 1)
+        });
+        assert_eq!(n as u32, interleaved);
+    }
+    let zigzag = path(Order::Zigzag);
+    assert!(zigzag.windows(2).all(near), "nothing is gone back over");
+}
+
+/// Clause O-5: bins one after another, each with all triangles, leave the depth buffer and the
+/// drawing order of every pixel as triangles one after another do.
+#[test]
+fn bins_over_a_scene_end_in_the_same_depth_buffer() {
+    let mut profile = load("sgi-4k").unwrap();
+    profile.window = guardbit::profile::WindowConfig { width: 96, height: 64 };
+    let whole = Model::new(&profile).unwrap();
+    let scene = scene::load("knot", &whole.viewport()).unwrap();
+    let triangles: Vec<Triangle> =
+        scene.triangles.iter().map(|triangle| whole.snap(triangle).unwrap()).collect();
+    let render = |bins: &[guardbit::cover::Rect]| {
+        let mut pixels = vec![(u64::MAX, usize::MAX); 96 * 64];
+        for bin in bins {
+            let view = guardbit::model::View { scissor: Some(*bin), ..Default::default() };
+            let model = Model::with_view(&profile, view).unwrap();
+            for (n, triangle) in triangles.iter().enumerate() {
+                let drawing = draw(&model, triangle);
+                let mut depths = drawing.depth.iter();
+                for span in &drawing.spans {
+                    for x in span.x0..span.x1 {
+                        let z = *depths.next().unwrap();
+                        let pixel = &mut pixels[(span.y * 96 + x) as usize];
+                        if z < pixel.0 {
+                            *pixel = (z, n);
+                        }
+                    }
+                }
+            }
+        }
+        pixels
+    };
+    let bins: Vec<guardbit::cover::Rect> = (0..2)
+        .flat_map(|y| (0..3).map(move |x| (x * 32, y * 32)))
+        .map(|(x, y)| guardbit::cover::Rect { x0: x, y0: y, x1: x + 32, y1: y + 32 })
+        .collect();
+    let one = render(&[profile.window().unwrap()]);
+    assert!(one.iter().filter(|(_, n)| *n != usize::MAX).count() > 1000);
+    assert_eq!(render(&bins), one);
+}
+
+/// Clause A-2: quadrilaterals, concave and crossing ones too, by two walked sides at a time: the
+/// samples inside by parity, but for those nearer to an edge than the walk can tell.
+#[test]
+fn walked_polygons_cover_what_parity_says() {
+    let mut base = load("sgi-4k").unwrap();
+    base.window = guardbit::profile::WindowConfig { width: 16, height: 16 };
+    let profile = base.with_machine("gouraud").unwrap();
+    let model = Model::new(&profile).unwrap();
+    let mut covered = 0;
+    for index in 0..300 {
+        let mut words = Words::new(5, 3, index);
+        // Off the rows of samples, so that every crossing is a plain one.
+        let mut at = || words.between(0, 63) * 256 + 128;
+        let xy: Vec<[i128; 2]> = (0..4).map(|_| [at(), at()]).collect();
+        let polygon = guardbit::setup::Polygon { z: Some(vec![9, 9, 9, 9]), xy: xy.clone() };
+        let mut drawing = Drawing::default();
+        model.draw_polygon(&polygon, &mut drawing).unwrap();
+        for y in 0..16u32 {
+            for x in 0..16u32 {
+                let at = [i128::from(x) * 1024 + 512, i128::from(y) * 1024 + 512];
+                let right = (0..4).filter(|k| {
+                    let (a, b) = (xy[*k], xy[(k + 1) % 4]);
+                    let crosses = (a[1] <= at[1]) != (b[1] <= at[1]);
+                    let side = (b[0] - a[0]) * (at[1] - a[1]) - (b[1] - a[1]) * (at[0] - a[0]);
+                    crosses && (side < 0) == (b[1] > a[1])
+                });
+                let inside = right.count() % 2 == 1;
+                // A sample on an edge goes by the walk's rounding.
+                let on_edge = (0..4).any(|k| {
+                    let (a, b) = (xy[k], xy[(k + 1) % 4]);
+                    let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+                    dx * (at[1] - a[1]) == dy * (at[0] - a[0])
+                });
+                if on_edge {
+                    continue;
+                }
+                let drawn = drawing.spans.iter().any(|s| s.y == y && (s.x0..s.x1).contains(&x));
+                assert_eq!(drawn, inside, "{xy:?} at {x} {y}");
+                covered += u32::from(drawn);
+            }
+        }
+        assert!(drawing.depth.iter().all(|z| *z == 9), "a level polygon is level");
+    }
+    assert!(covered > 5000);
+}
+
+/// Clause A-8: homogeneous vertices on both sides of the eye cover the samples whose eye ray meets the
+/// triangle in front, found by solving for the ray's weights as rationals.
+#[test]
+fn homogeneous_vertices_cover_what_the_eye_sees() {
+    use guardbit::setup::ClipTriangle;
+    let mut base = load("tiny").unwrap();
+    base.depth = None;
+    let profile = base.with_machine("homogeneous").unwrap();
+    let model = Model::new(&profile).unwrap();
+    let grid = profile.grid().unwrap();
+    let (mut seen, mut behind, mut flat) = (0, 0, 0);
+    for index in 0..20_000 {
+        let mut words = Words::new(8, 2, index);
+        let mut vertex = || {
+            let w = words.between(-2, 3);
+            [words.between(-6, 14) * w.abs().max(1), words.between(-6, 14) * w.abs().max(1), w]
+        };
+        let xyw = [vertex(), vertex(), vertex()];
+        let triangle = ClipTriangle { xyw, z: None };
+        let mut drawing = Drawing::default();
+        model.draw_clip(&triangle, &mut drawing).unwrap();
+        let det3 = |[a, b, c]: [[i128; 3]; 3]| {
+            a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                + a[2] * (b[0] * c[1] - b[1] * c[0])
+        };
+        let whole = det3(xyw);
+        assert_eq!(drawing.zero_area, whole == 0, "{xyw:?}");
+        flat += u32::from(whole == 0);
+        for (y, x) in (0..4).flat_map(|y| (0..4).map(move |x| (y, x))) {
+            let at = grid.position(x, y);
+            let p = [at[0], at[1], 1];
+            // Cramer: p = (d0 v0 + d1 v1 + d2 v2) / whole.
+            let d = [0, 1, 2].map(|k| {
+                let mut columns = xyw;
+                columns[k] = p;
+                det3(columns) * whole.signum()
+            });
+            let drawn = drawing
+                .spans
+                .iter()
+                .any(|s| i128::from(s.y) == y && (s.x0..s.x1).contains(&u32::try_from(x).unwrap()));
+            if d.iter().all(|d| *d > 0) && whole != 0 {
+                assert!(drawn, "{xyw:?} at {x} {y}");
+                seen += 1;
+                behind += u32::from(xyw.iter().any(|v| v[2] <= 0));
+            } else if d.iter().any(|d| *d < 0) || whole == 0 {
+                assert!(!drawn, "{xyw:?} at {x} {y}");
+            }
+        }
+    }
+    assert!(seen > 5000 && behind > 1000 && flat > 20, "{seen} {behind} {flat}");
+}
+
+/// Clause A-8: two homogeneous triangles that share an edge have each sample on it once, wherever the
+/// vertices lie.
+#[test]
+fn shared_homogeneous_edges_have_no_holes_and_no_double_hits() {
+    use guardbit::setup::ClipTriangle;
+    let mut base = load("tiny").unwrap();
+    base.depth = None;
+    let model = Model::new(&base.with_machine("homogeneous").unwrap()).unwrap();
+    let mut met = 0;
+    for index in 0..20_000 {
+        let mut words = Words::new(9, 2, index);
+        // A quadrilateral around the window, with a diagonal through samples, each vertex scaled.
+        let mut scaled = |x: i128, y: i128| {
+            let w = words.between(1, 3);
+            [x * w, y * w, w]
+        };
+        let a = scaled(-3 + i128::from(index) % 5, -5);
+        let b = scaled(30, -4);
+        let c = scaled(12 - i128::from(index) % 7, 14);
+        let d = scaled(-20, 13);
+        let cover = |xyw| {
+            let mut drawing = Drawing::default();
+            model.draw_clip(&ClipTriangle { xyw, z: None }, &mut drawing).unwrap();
+            drawing.spans
+        };
+        let mut hits = [0; 16];
+        for span in [cover([a, b, c]), cover([a, c, d])].concat() {
+            (span.x0..span.x1).for_each(|x| hits[(span.y * 4 + x) as usize] += 1);
+        }
+        assert_eq!(hits, [1; 16], "{a:?} {b:?} {c:?} {d:?}");
+        met += 1;
+    }
+    assert_eq!(met, 20_000);
+}
+
+/// Clause A-14: what the quickest path writes to memory is what every machine draws.
+#[test]
+fn the_quickest_path_writes_what_is_drawn() {
+    use guardbit::model::Raster;
+    for name in ["sgi-4k", "d3d11", "tiny"] {
+        let mut base = load(name).unwrap();
+        base.window.width = base.window.width.min(90);
+        base.window.height = base.window.height.min(70);
+        for (machine, _) in MACHINES {
+            let model = Model::new(&base.with_machine(machine).unwrap()).unwrap();
+            let scenes =
+                ["fan", "triangle"].map(|name| scene::load(name, &model.viewport()).unwrap());
+            let window = base.window().unwrap();
+            let (mut raster, mut mask) =
+                (Raster::new(window), guardbit::cover::Bitmask::new(window));
+            let (mut covered, mut depths) = (vec![false; 90 * 70], vec![0; 90 * 70]);
+            for triangle in
+                scenes.iter().flat_map(|scene| &scene.triangles).filter_map(|t| model.snap(t).ok())
+            {
+                model.fill(&triangle, &mut raster).unwrap();
+                model.cover(&triangle, &mut mask).unwrap();
+                let drawing = draw(&model, &triangle);
+                let mut values = drawing.depth.iter();
+                for span in &drawing.spans {
+                    for x in span.x0..span.x1 {
+                        let at = (span.y * 90 + x) as usize;
+                        covered[at] = true;
+                        depths[at] = values.next().copied().unwrap_or(0);
+                    }
+                }
+            }
+            assert!(covered.iter().filter(|covered| **covered).count() >= 2, "{name} {machine}");
+            for y in 0..window.y1 {
+                for x in 0..window.x1 {
+                    let at = (y * 90 + x) as usize;
+                    assert_eq!(mask.get(x, y), covered[at], "{name} {machine} {x} {y}");
+                    assert_eq!(raster.mask.get(x, y), covered[at], "{name} {machine} {x} {y}");
+                    assert_eq!(raster.depth(y)[x as usize], depths[at], "{name} {machine}");
+                }
+            }
+        }
+    }
+}
