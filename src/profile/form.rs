@@ -2,7 +2,7 @@
 
 use super::Profile;
 use crate::bits::Rounding;
-use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule};
+use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, Order, TILE};
 use crate::machine::{
     BarycentricConfig, EdgeWalkConfig, HomogeneousConfig, ScanlineConfig, TilesConfig,
 };
@@ -118,12 +118,20 @@ impl Form {
 }
 
 impl Profile {
-    /// The edge width that holds every edge value of the vertex field and the window; `None` for a
-    /// machine without edge words, or where vertex field or sample are malformed.
+    /// The edge width that holds every edge value of the vertex field and the window, rounded up to
+    /// whole tiles where tiles are tested by their corners; `None` for a machine without edge words,
+    /// or where vertex field or sample are malformed.
     pub fn exact_edge_width(&self) -> Option<u32> {
         let edges = self.form.edge()?;
         self.vertex.validate().ok()?;
-        let size = (self.window.width, self.window.height);
+        let tile = match (&self.form, self.traversal.map(|traversal| traversal.order)) {
+            (Form::Tiles(TilesConfig { tile, .. }), _) => (*tile).max(1),
+            (_, Some(Order::Tiles)) => TILE,
+            (_, Some(Order::Binned)) => TILE * TILE,
+            _ => 1,
+        };
+        let whole = |side: u32| side.div_ceil(tile).saturating_mul(tile);
+        let size = (whole(self.window.width), whole(self.window.height));
         Some(edges.exact_width(&self.vertex, &self.grid().ok()?, size))
     }
 
@@ -142,7 +150,8 @@ impl Profile {
     /// Where there is nothing to go by: edge words are as wide as exact coverage asks, a walk has
     /// one guard bit, the integer bits of the vertex field and as many bits as an edge word in all,
     /// an approximate walk the vertex field's integer bits as fraction, a barycentric coordinate
-    /// one bit more than depth has below its guard, and W as many bits as fit, at most 16.
+    /// one bit more than depth has below its guard, a tile 16 pixels on a side or as many as a smaller
+    /// window has, and W as many bits as fit, at most 16.
     pub fn with_machine(&self, name: &str) -> Option<Self> {
         let mut profile = self.clone();
         let rule = self.form.rule();
@@ -168,7 +177,11 @@ impl Profile {
                 rounding: self.depth.map_or(Rounding::NearestEven, |depth| depth.rounding),
                 edge,
             }),
-            ("tiles", _) => Form::Tiles(TilesConfig { tile: 16, edge }),
+            ("tiles", _) => {
+                let side = self.window.width.min(self.window.height).max(1);
+                let tile = 16.min(side.checked_next_power_of_two().unwrap_or(16)).max(2);
+                Form::Tiles(TilesConfig { tile, edge })
+            }
             ("homogeneous", _) => {
                 let depth = self.depth.and_then(|config| {
                     let depth = Depth::new(config, &self.vertex, crate::dda::Processor::baseline());
