@@ -3,6 +3,7 @@
 
 mod bitmask;
 mod edge_word;
+mod multisample;
 mod rect;
 mod rule;
 mod run;
@@ -12,6 +13,7 @@ mod traversal;
 
 pub use bitmask::Bitmask;
 pub use edge_word::{EdgeStorage, EdgeWordConfig, EdgeWordError, EdgeWords};
+pub use multisample::{DepthAt, MultisampleConfig, MultisampleError};
 pub use rect::{Rect, RectError};
 pub use rule::FillRule;
 pub use run::for_each_run;

@@ -69,6 +69,6 @@ mod spec {
         EdgeWalk "07-edge-walk.md", Stimulus "08-stimulus.md",
         Bounds "10-bounds.md", Cost "11-cost.md",
         Measures "12-measures.md", Search "13-search.md",
-        Machines "19-machines.md", Traversal "20-traversal.md"
+        Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md"
     );
 }

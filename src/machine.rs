@@ -6,6 +6,7 @@ mod edge_walk;
 mod engine_per_pixel;
 mod gouraud;
 mod homogeneous;
+mod multisampled;
 mod painter;
 mod port;
 mod scanline;
@@ -18,6 +19,7 @@ pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};
 pub use engine_per_pixel::{EnginePerPixel, serial_plane};
 pub use gouraud::Gouraud;
 pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
+pub use multisampled::Multisampled;
 pub use port::Ports;
 pub use scanline::{Scanline, ScanlineConfig};
 pub use tiles::{Tiles, TilesConfig, TilesError};
@@ -100,8 +102,12 @@ pub trait Sink {
     fn zero_area(&mut self) {}
 
     /// A maximal run of covered samples `[x0, x1)` in row y; `depth` has one value a sample, or is
-    /// empty when the primitive has none.
+    /// empty when the primitive has none. Where pixels have several samples it is a run of pixels
+    /// with one covered, and `depth` has a value a pixel or a covered sample: [`Ports::by_sample`].
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]);
+
+    /// The coverage masks of the run just given, where pixels have several samples.
+    fn masks(&mut self, _y: u32, _x0: u32, _masks: &[u32]) {}
 
     /// Whether [`Sink::events`] is wanted.
     fn wants_events(&self) -> bool {

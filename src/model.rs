@@ -11,7 +11,7 @@ use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
 use crate::machine::{
     Barycentric, DrawError, EdgeFunction, EdgeWalk, EnginePerPixel, Gouraud, Homogeneous, Input,
-    Machine, Ports, Scanline, Sink, Target, Tiles, Traversed,
+    Machine, Multisampled, Ports, Scanline, Sink, Target, Tiles, Traversed,
 };
 use crate::profile::{Form, InvalidProfile, Profile};
 use crate::scene;
@@ -80,7 +80,16 @@ impl Model {
         let processor = view.processor;
         let depth =
             profile.depth.map(|config| Depth::new(config, &vertex, processor)).transpose()?;
-        let machine = build(&profile, depth, target, processor)?;
+        let machine: Box<dyn Machine> = match profile.multisample {
+            None => build(&profile, depth, target, processor)?,
+            Some(config) => {
+                let grids = config.grids(vertex.sub_pixel).into_iter();
+                let samples =
+                    grids.map(|grid| build(&profile, None, Target { grid, ..target }, processor));
+                let samples = samples.collect::<Result<Vec<_>, _>>()?;
+                Box::new(Multisampled::new(config, samples, depth, &vertex, target))
+            }
+        };
         let quick = fill::Quick::new(&profile, depth);
         Ok(Self { profile, clip, machine, depth, grid: target.grid, quick })
     }

@@ -12,7 +12,8 @@ pub use load::{ProfileError, load, parse};
 pub use neighbour::{Neighbour, neighbours};
 
 use crate::cover::{
-    EdgeWordError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
+    EdgeWordError, MultisampleConfig, MultisampleError, Rect, RectError, SampleConfig, SampleError,
+    SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
 use crate::machine::{BarycentricError, EdgeWalkError, HomogeneousError, TilesError};
@@ -42,6 +43,9 @@ pub struct Profile {
     /// Sample position; pixel centres when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sample: Option<SampleConfig>,
+    /// Several samples a pixel; one when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub multisample: Option<MultisampleConfig>,
     /// How a primitive becomes coverage.
     pub form: Form,
     /// The order in which samples are visited; the bounding box row by row when absent.
@@ -82,6 +86,14 @@ pub enum InvalidProfile {
     /// The sample position.
     #[error(transparent)]
     Sample(#[from] SampleError),
+    /// Several samples a pixel.
+    #[error(transparent)]
+    Multisample(#[from] MultisampleError),
+    /// Depth that is no plane cannot be taken at another place than the machine's own.
+    #[error(
+        "[multisample] takes depth from a plane, and the machine {0} has none; choose another machine"
+    )]
+    MultisampleDepth(&'static str),
     /// The edge word.
     #[error(transparent)]
     EdgeWord(#[from] EdgeWordError),
@@ -117,6 +129,7 @@ impl InvalidProfile {
             Self::Window(_) => &["window"],
             Self::Vertex(_) => &["vertex"],
             Self::Sample(_) => &["sample"],
+            Self::Multisample(_) | Self::MultisampleDepth(_) => &["multisample"],
             Self::EdgeWord(_) => &["form", "edge-function", "width"],
             Self::EdgeWalk(_) => &["form", "edge-walk"],
             Self::Tiles(_) => &["form", "tiles"],
@@ -168,6 +181,12 @@ impl Profile {
                 machine.validate(&self.vertex, read.map(|read| (read, growth)))?;
             }
             Form::Scanline(_) => {}
+        }
+        if let Some(multisample) = &self.multisample {
+            multisample.validate(self.vertex.sub_pixel, self.sample.is_some())?;
+            if self.depth.is_some() && !self.form.walks_a_plane() {
+                return Err(InvalidProfile::MultisampleDepth(self.form.name()));
+            }
         }
         if self.traversal.is_some() && !matches!(self.form, Form::EdgeFunction(_)) {
             return Err(InvalidProfile::Traversal(self.form.name()));

@@ -143,6 +143,14 @@ fn write_answer(answer: &mut String, id: Option<&str>, drawing: &Drawing, has_de
         }
         answer.push(']');
     }
+    if !drawing.masks.is_empty() {
+        answer.push_str(", \"masks\": [");
+        for (n, mask) in drawing.masks.iter().enumerate() {
+            let comma = if n == 0 { "" } else { ", " };
+            let _ = write!(answer, "{comma}{mask}");
+        }
+        answer.push(']');
+    }
     let mut events = drawing.event_counts().peekable();
     if events.peek().is_some() {
         answer.push_str(", \"events\": {");

@@ -70,7 +70,11 @@ impl Painter {
 }
 
 /// Passes the events of a run on; under the clamp mode `error` a wrap refuses the primitive.
-fn report(read: ReadOut, events: SpanEvents, out: &mut dyn Sink) -> Result<(), DrawError> {
+pub(super) fn report(
+    read: ReadOut,
+    events: SpanEvents,
+    out: &mut dyn Sink,
+) -> Result<(), DrawError> {
     if let (Clamp::Error, Some(place)) = (read.clamp(), events.first[Event::Wrap as usize]) {
         return Err(DrawError::GuardRange { x: place.x, y: place.y });
     }

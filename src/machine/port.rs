@@ -12,6 +12,10 @@ pub struct Ports {
     pub setup: Vec<Column>,
     /// The depth value of a sample, if the profile has depth.
     pub depth: Option<Column>,
+    /// The coverage mask of a pixel, where there are several samples.
+    pub mask: Option<Column>,
+    /// Whether depth is that of every covered sample of a pixel, and not one a pixel.
+    pub by_sample: bool,
 }
 
 impl Ports {
@@ -54,6 +58,6 @@ impl Ports {
         let depth = depth.map(|read| {
             Column::new("z", read.integer(), false, 0, "Depth read-out after the clamp.")
         });
-        Self { input, setup, depth }
+        Self { input, setup, depth, mask: None, by_sample: false }
     }
 }

@@ -75,6 +75,7 @@ impl Quick {
         let plain = profile.covers_exactly()
             && profile.form.walks_a_plane()
             && profile.traversal.is_none()
+            && profile.multisample.is_none()
             && !strict;
         plain.then(|| Self {
             rule: profile.form.rule(),

@@ -21,8 +21,11 @@ pub struct Drawing {
     pub setup: Vec<i128>,
     /// Covered runs, in y then x order.
     pub spans: Vec<Span>,
-    /// Depth of each covered sample, run by run; empty when the primitive has none.
+    /// Depth of each covered sample, run by run; empty when the primitive has none. With several
+    /// samples a pixel it is in pixel and then sample order, or one a pixel: `Ports::by_sample`.
     pub depth: Vec<u64>,
+    /// Coverage mask of each pixel of the runs, where pixels have several samples.
+    pub masks: Vec<u32>,
     /// Numeric events of the depth values.
     pub events: EventLog,
     /// Whether the primitive had no area.
@@ -35,6 +38,7 @@ impl Drawing {
         self.setup.clear();
         self.spans.clear();
         self.depth.clear();
+        self.masks.clear();
         self.events = EventLog::default();
         self.zero_area = false;
     }
@@ -66,6 +70,10 @@ impl Sink for Drawing {
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         self.spans.push(Span { y, x0, x1 });
         self.depth.extend_from_slice(depth);
+    }
+
+    fn masks(&mut self, _: u32, _: u32, masks: &[u32]) {
+        self.masks.extend_from_slice(masks);
     }
 
     fn wants_events(&self) -> bool {

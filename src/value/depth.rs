@@ -181,6 +181,16 @@ impl Depth {
         self.read.reduce(plane.at(x, y)).clamp(0, self.read.top() - 1)
     }
 
+    /// The accumulator at pixel (x, y) before any read-out: unwrapped, and for a sticky one what its
+    /// path leaves.
+    pub fn accumulator(&self, plane: &Plane, x: u32, y: u32) -> i128 {
+        if self.read.clamp() == Clamp::Saturate {
+            self.held(plane, x, y)
+        } else {
+            plane.at(i128::from(x), i128::from(y))
+        }
+    }
+
     /// The events of the run of `count` samples from pixel (x, y) rightward, in closed form.
     pub fn events(&self, plane: &Plane, y: u32, x: u32, count: u32) -> SpanEvents {
         let start = plane.at(i128::from(x), i128::from(y));

@@ -95,7 +95,8 @@ impl Subject {
     fn key(&self) -> usize {
         match self.spec.stem.as_str() {
             "span.exp" => 4,
-            "depth.exp" => 3,
+            "depth.exp" if self.spec.columns.len() == 5 => 4,
+            "depth.exp" | "mask.exp" => 3,
             "triangle.exp" => 1,
             _ => 0,
         }

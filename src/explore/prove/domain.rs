@@ -150,6 +150,7 @@ impl Question {
             window: WindowConfig { width: side, height: side },
             vertex,
             sample: None,
+            multisample: None,
             form: Form::EdgeFunction(EdgeWordConfig {
                 rule: FillRule::TopLeft,
                 storage: EdgeStorage::Shifted,

@@ -103,9 +103,19 @@ pub(super) fn file_specs(model: &Model, draws: bool) -> Vec<FileSpec> {
     ];
     let mut files =
         vec![spec("triangle.cfg", cfg), spec("triangle.exp", exp), spec("span.exp", span)];
+    let place = || vec![test(), pixel("x", "Column."), pixel("y", "Row.")];
     if let Some(z) = &ports.depth {
-        let columns = vec![test(), pixel("x", "Column."), pixel("y", "Row."), z.clone()];
+        let mut columns = place();
+        if ports.by_sample {
+            columns.push(Column::new("sample", 5, false, 0, "Number of the sample."));
+        }
+        columns.push(z.clone());
         files.push(spec("depth.exp", columns));
+    }
+    if let Some(mask) = &ports.mask {
+        let mut columns = place();
+        columns.push(mask.clone());
+        files.push(spec("mask.exp", columns));
     }
     files
 }
