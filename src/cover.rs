@@ -2,8 +2,12 @@
 //! samples. Spec clauses `C-*`.
 
 mod bitmask;
+mod clip;
 mod edge_word;
+mod line;
 mod multisample;
+mod point;
+mod polygon;
 mod rect;
 mod rule;
 mod run;
@@ -12,8 +16,15 @@ mod scan;
 mod traversal;
 
 pub use bitmask::Bitmask;
+pub use clip::{ClipRect, GuardBand};
 pub use edge_word::{EdgeStorage, EdgeWordConfig, EdgeWordError, EdgeWords};
+pub use line::{
+    LineConfig, LineError, LineRule, Segment, Start, Stipple, Tie, bresenham, incremental,
+    integer_incremental, march, midpoint, naive,
+};
 pub use multisample::{DepthAt, MultisampleConfig, MultisampleError};
+pub use point::{PointConfig, PointError, PointRule, circle};
+pub use polygon::polygon;
 pub use rect::{Rect, RectError};
 pub use rule::FillRule;
 pub use run::for_each_run;

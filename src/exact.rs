@@ -19,6 +19,7 @@
 //! ```
 
 mod cover;
+mod diamond;
 mod edge;
 mod number;
 mod outline;
@@ -26,6 +27,7 @@ mod plane;
 mod round;
 
 pub use cover::{Position, Rule, classify, covered_row, covers};
+pub use diamond::{Diamond, exits};
 pub use edge::{Row, edge_value, edge_x, first_pixel};
 pub use number::{Point, Rational, dyadic, integer, ratio};
 pub use outline::Outline;

@@ -69,6 +69,7 @@ mod spec {
         EdgeWalk "07-edge-walk.md", Stimulus "08-stimulus.md",
         Bounds "10-bounds.md", Cost "11-cost.md",
         Measures "12-measures.md", Search "13-search.md",
+        Lines "14-lines.md", Polygons "15-polygons.md",
         Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md"
     );
 }

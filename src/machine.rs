@@ -6,6 +6,7 @@ mod edge_walk;
 mod engine_per_pixel;
 mod gouraud;
 mod homogeneous;
+mod line;
 mod multisampled;
 mod painter;
 mod port;
@@ -19,6 +20,7 @@ pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};
 pub use engine_per_pixel::{EnginePerPixel, serial_plane};
 pub use gouraud::Gouraud;
 pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
+pub use line::Lines;
 pub use multisampled::Multisampled;
 pub use port::Ports;
 pub use scanline::{Scanline, ScanlineConfig};
@@ -26,7 +28,7 @@ pub use tiles::{Tiles, TilesConfig, TilesError};
 pub use traversed::Traversed;
 
 use crate::bits::SpanEvents;
-use crate::cover::{Rect, SampleGrid};
+use crate::cover::{Rect, SampleGrid, Segment};
 use crate::setup::{ClipTriangle, Polygon, Triangle};
 
 /// One primitive, as a machine takes it.
@@ -39,6 +41,10 @@ pub enum Input<'a> {
     Clip(&'a ClipTriangle),
     /// A polygon of three or more vertices, convex or not.
     Polygon(&'a Polygon),
+    /// A line from one end to the other, in sub-pixels.
+    Line(&'a Segment),
+    /// A point, in sub-pixels.
+    Point(&'a [i128; 2]),
 }
 
 impl Input<'_> {
@@ -48,6 +54,8 @@ impl Input<'_> {
             Self::Triangle(_) => "triangles",
             Self::Clip(_) => "homogeneous vertices",
             Self::Polygon(_) => "polygons",
+            Self::Line(_) => "lines",
+            Self::Point(_) => "points",
         }
     }
 

@@ -7,11 +7,11 @@ mod record;
 pub use fill::Raster;
 pub use record::{Drawing, Span};
 
-use crate::cover::{Rect, SampleGrid};
+use crate::cover::{Rect, SampleGrid, Segment};
 use crate::dda::Processor;
 use crate::machine::{
     Barycentric, DrawError, EdgeFunction, EdgeWalk, EnginePerPixel, Gouraud, Homogeneous, Input,
-    Machine, Multisampled, Ports, Scanline, Sink, Target, Tiles, Traversed,
+    Lines, Machine, Multisampled, Ports, Scanline, Sink, Target, Tiles, Traversed,
 };
 use crate::profile::{Form, InvalidProfile, Profile};
 use crate::scene;
@@ -27,6 +27,7 @@ pub struct Model {
     profile: Profile,
     clip: Rect,
     machine: Box<dyn Machine>,
+    lines: Lines,
     depth: Option<Depth>,
     grid: SampleGrid,
     quick: Option<fill::Quick>,
@@ -90,8 +91,10 @@ impl Model {
                 Box::new(Multisampled::new(config, samples, depth, &vertex, target))
             }
         };
+        let (line, point) = (profile.line.unwrap_or_default(), profile.point.unwrap_or_default());
+        let lines = Lines::new(line, point, &vertex, target);
         let quick = fill::Quick::new(&profile, depth);
-        Ok(Self { profile, clip, machine, depth, grid: target.grid, quick })
+        Ok(Self { profile, clip, machine, lines, depth, grid: target.grid, quick })
     }
 
     /// The profile, with the window in force.
@@ -177,6 +180,41 @@ impl Model {
     /// [`DrawError`] if the machine does not, or refuses what happened.
     pub fn draw_clip(&self, triangle: &ClipTriangle, out: &mut dyn Sink) -> Result<(), DrawError> {
         self.machine.draw(&Input::Clip(triangle), out)
+    }
+
+    /// Checks integer coordinates in sub-pixels against the vertex field; `form` names them in an
+    /// error.
+    ///
+    /// # Errors
+    /// [`PrimitiveError`] for a coordinate outside the field: never a wrap.
+    pub fn accept(&self, points: &[[i128; 2]]) -> Result<(), PrimitiveError> {
+        for (n, point) in points.iter().enumerate() {
+            for (axis, value) in point.iter().enumerate() {
+                self.profile.vertex.accept(n, axis, *value)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Draws a line by the profile's rule.
+    ///
+    /// # Errors
+    /// None today; as the other primitives.
+    pub fn draw_line(&self, line: &Segment, out: &mut dyn Sink) -> Result<(), DrawError> {
+        self.lines.draw(&Input::Line(line), out)
+    }
+
+    /// Draws a point by the profile's rule.
+    ///
+    /// # Errors
+    /// None today; as the other primitives.
+    pub fn draw_point(&self, point: &[i128; 2], out: &mut dyn Sink) -> Result<(), DrawError> {
+        self.lines.draw(&Input::Point(point), out)
+    }
+
+    /// The words of lines and points.
+    pub fn line_ports(&self) -> &Ports {
+        self.lines.ports()
     }
 
     /// Draws a polygon, on a machine that takes polygons.

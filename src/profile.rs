@@ -12,8 +12,8 @@ pub use load::{ProfileError, load, parse};
 pub use neighbour::{Neighbour, neighbours};
 
 use crate::cover::{
-    EdgeWordError, MultisampleConfig, MultisampleError, Rect, RectError, SampleConfig, SampleError,
-    SampleGrid, TraversalConfig,
+    EdgeWordError, LineConfig, LineError, MultisampleConfig, MultisampleError, PointConfig,
+    PointError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
 use crate::machine::{BarycentricError, EdgeWalkError, HomogeneousError, TilesError};
@@ -51,6 +51,12 @@ pub struct Profile {
     /// The order in which samples are visited; the bounding box row by row when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub traversal: Option<TraversalConfig>,
+    /// How lines are drawn; by Vulkan's diamond rule when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub line: Option<LineConfig>,
+    /// How points are drawn; the pixel that holds them when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub point: Option<PointConfig>,
     /// The depth plane; no depth when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<DepthConfig>,
@@ -86,6 +92,12 @@ pub enum InvalidProfile {
     /// The sample position.
     #[error(transparent)]
     Sample(#[from] SampleError),
+    /// The line rule.
+    #[error(transparent)]
+    Line(#[from] LineError),
+    /// The point rule.
+    #[error(transparent)]
+    Point(#[from] PointError),
     /// Several samples a pixel.
     #[error(transparent)]
     Multisample(#[from] MultisampleError),
@@ -129,6 +141,8 @@ impl InvalidProfile {
             Self::Window(_) => &["window"],
             Self::Vertex(_) => &["vertex"],
             Self::Sample(_) => &["sample"],
+            Self::Line(_) => &["line"],
+            Self::Point(_) => &["point"],
             Self::Multisample(_) | Self::MultisampleDepth(_) => &["multisample"],
             Self::EdgeWord(_) => &["form", "edge-function", "width"],
             Self::EdgeWalk(_) => &["form", "edge-walk"],
@@ -181,6 +195,12 @@ impl Profile {
                 machine.validate(&self.vertex, read.map(|read| (read, growth)))?;
             }
             Form::Scanline(_) => {}
+        }
+        if let Some(line) = &self.line {
+            line.validate(self.vertex.difference_bits())?;
+        }
+        if let Some(point) = &self.point {
+            point.validate()?;
         }
         if let Some(multisample) = &self.multisample {
             multisample.validate(self.vertex.sub_pixel, self.sample.is_some())?;

@@ -6,6 +6,7 @@ mod divide;
 mod edge;
 mod plane;
 mod polygon;
+mod quad;
 mod snap;
 mod triangle;
 
@@ -14,5 +15,6 @@ pub use divide::{Divider, Division, DivisionError};
 pub use edge::{EdgeCoefficients, edges};
 pub use plane::{Gradient, Plane};
 pub use polygon::Polygon;
+pub use quad::Diagonal;
 pub use snap::{Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed};
 pub use triangle::Triangle;

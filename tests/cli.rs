@@ -130,7 +130,7 @@ fn bad_lines_do_not_stop_the_rest() {
     for (bad, id, says) in [
         ("nonsense", "null", "column 2: not JSON"),
         ("[]", "null", "a JSON object is needed"),
-        (r#"{"id": 1}"#, "1", "exactly one of v, f, words, line, point"),
+        (r#"{"id": 1}"#, "1", "exactly one of v, f, words, line, point, polygon, clip"),
         (r#"{"id": 1, "v": [[0,0],[8,0]]}"#, "1", "field `v`: 3 vertices are needed, got 2"),
         (r#"{"id": 1, "v": [[0,0],[8],[0,8]]}"#, "1", "field `v[1]`"),
         (r#"{"id": 1, "v": [[0,0],[8,0,0],[0,8]]}"#, "1", "field `v[1]`"),

@@ -2,6 +2,7 @@
 
 use super::Outcome;
 use super::failure::Failure;
+use guardbit::machine::DrawError;
 use guardbit::model::{Drawing, Model, View};
 use guardbit::profile;
 use guardbit::scene::Triangle;
@@ -17,7 +18,10 @@ const LONGEST: u64 = 1 << 24;
 /// In: {"id": 7, "v": [[x,y,z],[x,y,z],[x,y,z]]}, integers in sub-pixels and depth ULPs, y down,
 /// z optional; or "f" instead of "v": real numbers, x and y in pixels, z in depth ULPs,
 /// {"bits": "7fc00000"} for NaN and infinities.
-/// Out: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}.
+/// "line": [[x,y],[x,y]] and "point": [x,y] draw by the profile's rules, "polygon": [[x,y],...] and
+/// "clip": [[X,Y,Z,W],...] on machines that take them.
+/// Out: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}; "masks", one a pixel, where
+/// the profile has several samples.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// A built-in name or a TOML file.
@@ -93,38 +97,82 @@ fn reply(
         Err(error) => return refuse(answer, error.id.as_deref(), &error.to_string()),
     };
     let id = request.id.as_deref();
-    let triangle = match &request.primitive {
-        Primitive::Triangle(triangle) => triangle,
-        other => {
-            let (field, what) = match other {
-                Primitive::Words(_) => ("words", "set-up registers"),
-                Primitive::Line(_) => ("line", "lines"),
-                _ => ("point", "points"),
-            };
-            let message =
-                format!("field `{field}`: this profile's machine draws triangles, not {what}");
-            return refuse(answer, id, &message);
-        }
-    };
-    let (form, has_depth) = match triangle {
-        Triangle::Lattice { z, .. } => ("v", z.is_some()),
-        Triangle::Real { z, .. } => ("f", z.is_some()),
-    };
-    if has_depth && model.depth().is_none() {
-        let message = format!("field `{form}`: the profile has no [depth], so a vertex is [x, y]");
+    let primitive = &request.primitive;
+    if has_depth(primitive) && model.depth().is_none() {
+        let key = primitive.key();
+        let message = format!("field `{key}`: the profile has no [depth], so a vertex has no z");
         return refuse(answer, id, &message);
     }
     drawing.clear();
-    let drawn = model.snap(triangle).and_then(|triangle| {
-        model.draw(&triangle, drawing)?;
-        Ok(triangle.z.is_some())
-    });
+    let drawn = draw(model, primitive, drawing);
     match drawn {
-        Err(error) => refuse(answer, id, &error.to_string()),
+        Err(error) => refuse(answer, id, &error),
         Ok(has_depth) => {
             write_answer(answer, id, drawing, has_depth);
             true
         }
+    }
+}
+
+/// Whether a primitive gives depth.
+fn has_depth(primitive: &Primitive) -> bool {
+    match primitive {
+        Primitive::Triangle(Triangle::Lattice { z, .. }) => z.is_some(),
+        Primitive::Triangle(Triangle::Real { z, .. }) => z.is_some(),
+        Primitive::Polygon(polygon) => polygon.z.is_some(),
+        Primitive::Clip(triangle) => triangle.z.is_some(),
+        Primitive::Words(_) | Primitive::Line(_) | Primitive::Point(_) => false,
+    }
+}
+
+/// Draws a primitive; whether it has depth, or what is wrong, with its field.
+fn draw(model: &Model, primitive: &Primitive, out: &mut Drawing) -> Result<bool, String> {
+    let key = primitive.key();
+    // Coordinates outside the field name the primitive's own key, not a triangle's.
+    let accept = |points: &[[i128; 2]]| {
+        model.accept(points).map_err(|error| match key {
+            "point" => error.to_string().replace("v[0]", "point").replace("<= v <=", "<= x, y <="),
+            _ => {
+                error.to_string().replace("v[", &format!("{key}[")).replace("<= v <=", "<= x, y <=")
+            }
+        })
+    };
+    let result = match primitive {
+        Primitive::Triangle(triangle) => {
+            let triangle = model.snap(triangle).map_err(|error| error.to_string())?;
+            model.draw(&triangle, out)
+        }
+        Primitive::Line(line) => {
+            accept(line)?;
+            model.draw_line(line, out)
+        }
+        Primitive::Point(point) => {
+            accept(&[*point])?;
+            model.draw_point(point, out)
+        }
+        Primitive::Polygon(polygon) => {
+            accept(&polygon.xy)?;
+            let top = i128::from(model.profile().depth_max());
+            for (n, z) in polygon.z.iter().flatten().enumerate() {
+                if !(0..=top).contains(z) {
+                    let message =
+                        format!("polygon[{n}][2] = {z} is outside the depth: 0 <= z <= {top}");
+                    return Err(message);
+                }
+            }
+            model.draw_polygon(polygon, out)
+        }
+        Primitive::Clip(triangle) => model.draw_clip(triangle, out),
+        Primitive::Words(_) => {
+            return Err("field `words`: this profile's machine draws primitives, not set-up \
+                        registers"
+                .to_owned());
+        }
+    };
+    match result {
+        Ok(()) => Ok(has_depth(primitive)),
+        Err(error @ DrawError::Primitive(_)) => Err(format!("field `{key}`: {error}")),
+        Err(error) => Err(error.to_string()),
     }
 }
 

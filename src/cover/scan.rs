@@ -9,8 +9,8 @@ use num_traits::PrimInt;
 /// The first pixel right of one side, row after row: `cut = floor((N + bias) / D)` with
 /// `N = (x - ox) dy + (y - y_top) dx` and `D = 2^s dy`.
 #[derive(Clone, Copy, Debug)]
-struct Side<T> {
-    cut: T,
+pub(super) struct Side<T> {
+    pub(super) cut: T,
     rest: T,
     step: T,
     step_rest: T,
@@ -27,7 +27,7 @@ fn divide<T: PrimInt>(numerator: T, divisor: T) -> (T, T) {
 impl<T: PrimInt> Side<T> {
     /// The side from `top` down to `bottom`, at the row of samples at `y`.
     #[inline]
-    fn new(top: [T; 2], bottom: [T; 2], y: T, grid: &Grid<T>, rule: FillRule) -> Self {
+    pub(super) fn new(top: [T; 2], bottom: [T; 2], y: T, grid: &Grid<T>, rule: FillRule) -> Self {
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         let whole = dy << grid.sub_pixel;
         // An owner of its left side takes a sample on it, any other takes the one after.
@@ -42,7 +42,7 @@ impl<T: PrimInt> Side<T> {
     }
 
     #[inline]
-    fn down(&mut self) {
+    pub(super) fn down(&mut self) {
         self.cut = self.cut + self.step;
         self.rest = self.rest + self.step_rest;
         if self.rest >= self.whole {
@@ -54,9 +54,9 @@ impl<T: PrimInt> Side<T> {
 
 /// The sample grid in a lane.
 #[derive(Clone, Copy, Debug)]
-struct Grid<T> {
-    offset: [T; 2],
-    sub_pixel: usize,
+pub(super) struct Grid<T> {
+    pub(super) offset: [T; 2],
+    pub(super) sub_pixel: usize,
 }
 
 /// Calls `row(y, x0, x1)` for every span of a triangle inside `clip`, top to bottom; either winding.

@@ -3,9 +3,9 @@
 
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
-use crate::cover::{FillRule, fits_narrow, scan};
+use crate::cover::{FillRule, fits_narrow, polygon, scan};
 use crate::format::Column;
-use crate::setup::{Triangle, VertexConfig};
+use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -71,12 +71,41 @@ impl Scanline {
     }
 }
 
+impl Scanline {
+    /// Coverage by parity. Three points have a plane, more need not have one, so there is no depth.
+    fn polygon(&self, shape: &Polygon, out: &mut dyn Sink) -> Result<(), DrawError> {
+        if shape.z.is_some() {
+            return Err(DrawError::Primitive(
+                "depth of polygons: more than three points need no plane",
+            ));
+        }
+        let Target { grid, clip } = &self.target;
+        let mut open: Option<[u32; 3]> = None;
+        polygon(&shape.xy, grid, *clip, self.config.rule, &mut |y, x0, x1| match &mut open {
+            // Runs that touch are one.
+            Some([row, _, end]) if *row == y && *end == x0 => *end = x1,
+            other => {
+                if let Some([y, x0, x1]) = other.replace([y, x0, x1]) {
+                    out.span(y, x0, x1, &[]);
+                }
+            }
+        });
+        if let Some([y, x0, x1]) = open {
+            out.span(y, x0, x1, &[]);
+        }
+        Ok(())
+    }
+}
+
 impl Machine for Scanline {
     fn ports(&self) -> &Ports {
         &self.ports
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
+        if let Input::Polygon(polygon) = input {
+            return self.polygon(polygon, out);
+        }
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let mut painter = Painter::new(self.depth, &triangle, &self.target);
         if out.wants_setup() {

@@ -9,17 +9,21 @@
 //! | `words` | `["...", ...]` | raw set-up registers in the profile's radix |
 //! | `line` | `[[x,y],[x,y]]` | integers, as for `v` |
 //! | `point` | `[x,y]` | integers, as for `v` |
+//! | `polygon` | `[[x,y,z],...]`, three or more | integers, as for `v`, on machines that draw polygons |
+//! | `clip` | `[[X,Y,Z,W],[X,Y,Z,W],[X,Y,Z,W]]` | integers: homogeneous window coordinates, X / W in sub-pixels and Z / W in depth ULPs; on machines that take them |
 //!
 //! z may be left out, for all three vertices at once. An integer is a plain JSON number or a string
 //! of decimal digits, and never passes through a double.
 
 mod number;
 mod object;
+mod shape;
 mod write;
 
 use serde_json::value::RawValue;
 
 use super::Triangle;
+use crate::setup::{ClipTriangle, Polygon};
 use number::{integer, list, real, triple, word};
 pub use write::to_line;
 
@@ -43,6 +47,25 @@ pub enum Primitive {
     Line([[i128; 2]; 2]),
     /// `point`: x, y in sub-pixels.
     Point([i128; 2]),
+    /// `polygon`: three or more vertices.
+    Polygon(Polygon),
+    /// `clip`: three homogeneous vertices.
+    Clip(ClipTriangle),
+}
+
+impl Primitive {
+    /// The key it was given under.
+    pub const fn key(&self) -> &'static str {
+        match self {
+            Self::Triangle(Triangle::Lattice { .. }) => "v",
+            Self::Triangle(Triangle::Real { .. }) => "f",
+            Self::Words(_) => "words",
+            Self::Line(_) => "line",
+            Self::Point(_) => "point",
+            Self::Polygon(_) => "polygon",
+            Self::Clip(_) => "clip",
+        }
+    }
 }
 
 /// A line that cannot be read: where in it, and why.
@@ -82,22 +105,26 @@ pub enum Fault {
         got: usize,
     },
     /// A key nobody reads.
-    #[error("unknown key; known are id, v, f, words, line, point")]
+    #[error("unknown key; known are id, v, f, words, line, point, polygon, clip")]
     UnknownKey,
     /// A key given twice.
     #[error("given twice; leave one")]
     Duplicate,
     /// Nothing to draw.
-    #[error("nothing to draw: exactly one of v, f, words, line, point is needed, got none")]
+    #[error(
+        "nothing to draw: exactly one of v, f, words, line, point, polygon, clip is needed, got none"
+    )]
     Nothing,
     /// Two things to draw.
-    #[error("exactly one of v, f, words, line, point is needed, `{first}` is there too")]
+    #[error(
+        "exactly one of v, f, words, line, point, polygon, clip is needed, `{first}` is there too"
+    )]
     Several {
         /// The one that came before.
         first: String,
     },
     /// z for some vertices only.
-    #[error("{got} coordinates where vertex 0 has {first}; give z for all three vertices or none")]
+    #[error("{got} coordinates where vertex 0 has {first}; give z for all vertices or none")]
     MixedDepth {
         /// Coordinates of this vertex.
         got: usize,
@@ -160,24 +187,21 @@ pub fn parse_scene(text: &str) -> Result<Vec<Triangle>, (usize, LineError)> {
             continue;
         }
         let Request { id, primitive } = parse_line(line).map_err(|error| (index + 1, error))?;
-        let name = match primitive {
-            Primitive::Triangle(triangle) => {
-                triangles.push(triangle);
-                continue;
-            }
-            Primitive::Words(_) => "words",
-            Primitive::Line(_) => "line",
-            Primitive::Point(_) => "point",
-        };
-        let place = format!("field `{name}`");
+        let place = format!("field `{}`", primitive.key());
+        if let Primitive::Triangle(triangle) = primitive {
+            triangles.push(triangle);
+            continue;
+        }
         return Err((index + 1, LineError { id, place, fault: Fault::NotTriangle }));
     }
     Ok(triangles)
 }
 
+const KEYS: [&str; 8] = ["id", "v", "f", "words", "line", "point", "polygon", "clip"];
+
 fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {
     for (index, (key, _)) in members.iter().enumerate() {
-        if !["id", "v", "f", "words", "line", "point"].contains(&key.as_str()) {
+        if !KEYS.contains(&key.as_str()) {
             return Err((key.clone(), Fault::UnknownKey));
         }
         if members.iter().take(index).any(|(before, _)| before == key) {
@@ -205,6 +229,8 @@ fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {
             [from, to] => Ok(Primitive::Line([point(from, "line[0]")?, point(to, "line[1]")?])),
             ends => Err(count("line", "2 end points are needed", ends.len())),
         },
+        "polygon" => shape::polygon(raw).map(Primitive::Polygon),
+        "clip" => shape::clip(raw).map(Primitive::Clip),
         _ => point(raw, "point").map(Primitive::Point),
     }
 }

@@ -157,6 +157,8 @@ impl Question {
                 width,
             }),
             traversal: None,
+            line: None,
+            point: None,
             depth: None,
         };
         let guard_band = Some(band);
