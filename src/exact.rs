@@ -23,6 +23,7 @@ mod diamond;
 mod edge;
 mod number;
 mod outline;
+mod perspective;
 mod plane;
 mod round;
 
@@ -31,5 +32,6 @@ pub use diamond::{Diamond, exits};
 pub use edge::{Row, edge_value, edge_x, first_pixel};
 pub use number::{Point, Rational, dyadic, integer, ratio};
 pub use outline::Outline;
+pub use perspective::perspective_at;
 pub use plane::{PlaneNumerator, plane_at, plane_slopes, plane_word};
 pub use round::{divide, round, round_dyadic};

@@ -69,7 +69,8 @@ mod spec {
         EdgeWalk "07-edge-walk.md", Stimulus "08-stimulus.md",
         Bounds "10-bounds.md", Cost "11-cost.md",
         Measures "12-measures.md", Search "13-search.md",
-        Lines "14-lines.md", Polygons "15-polygons.md",
+        Lines "14-lines.md", Polygons "15-polygons.md", Depth "16-depth.md",
+        Interpolation "17-interpolation.md",
         Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md"
     );
 }

@@ -6,5 +6,7 @@ pub mod budget;
 pub mod comparison;
 pub mod cost;
 pub mod error;
+pub mod interpolation;
 pub mod require;
+pub mod resolution;
 pub mod speed;

@@ -154,6 +154,7 @@ impl InvalidProfile {
             Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
             Self::Depth(DepthError::Growth { .. }) => &["depth", "interpolation"],
+            Self::Depth(DepthError::Format(_)) => &["depth", "format"],
         }
     }
 }

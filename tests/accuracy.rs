@@ -58,6 +58,7 @@ fn profile(words: &mut Words) -> Profile {
         },
         clamp: [Clamp::Wrap, Clamp::Guard, Clamp::Sign, Clamp::Saturate][index(words, 4)],
         start_bias: [StartBias::None, StartBias::Half][index(words, 2)],
+        format: None,
     });
     profile.validate().unwrap();
     profile

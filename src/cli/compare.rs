@@ -1,5 +1,7 @@
 //! `guardbit compare`: machine against machine on one scene.
 
+mod depth;
+mod interpolation;
 mod machine;
 mod picture;
 mod size;
@@ -61,6 +63,10 @@ enum Show {
     Sizes,
     /// Orders of visits: what each looks at, and which accumulators read otherwise.
     Traversal,
+    /// Depth formats: how far apart codes lie over distance, and what they make equal.
+    Depth,
+    /// Attributes: affine and perspective by several means, with error and operations.
+    Interpolation,
 }
 
 fn parse_machine(text: &str) -> Result<&'static str, String> {
@@ -90,8 +96,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         arguments.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
     profile.validate().map_err(Failure::input)?;
     if let Some(path) = &arguments.svg {
-        if arguments.show == Show::Traversal {
-            return Err(Failure::input("--svg: a comparison of orders has no picture")
+        if !matches!(arguments.show, Show::Machines | Show::Sizes) {
+            return Err(Failure::input("--svg: this comparison has no picture")
                 .hint("pictures go with --show machines and --show sizes"));
         }
         check_place(path)?;
@@ -103,6 +109,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Show::Machines => machine::show(request),
         Show::Sizes => size::show(request),
         Show::Traversal => traversal::show(request),
+        Show::Depth => depth::show(request),
+        Show::Interpolation => interpolation::show(request),
     }
 }
 

@@ -80,6 +80,16 @@ impl MultisampleConfig {
         }
     }
 
+    /// The centroid of the samples of a mask: the sum of their positions in sixteenths of a pixel, and
+    /// how many they are. A triangle that covers them all has it inside, as it is convex.
+    pub fn centroid(&self, mask: u32) -> ([u32; 2], u32) {
+        let positions = self.positions().unwrap_or_default().iter().enumerate();
+        let covered = positions.filter(|(n, _)| mask >> n & 1 == 1);
+        covered.fold(([0; 2], 0), |([x, y], count), (_, at)| {
+            ([x + u32::from(at[0]), y + u32::from(at[1])], count + 1)
+        })
+    }
+
     /// Checks count and grid; `placed` says that the profile places a single sample, too.
     ///
     /// # Errors

@@ -6,6 +6,7 @@ use crate::bits::Rounding;
 use crate::cover::{Order, Stamp};
 use crate::format::Clamp;
 use crate::profile::MACHINES;
+use crate::value::DepthFormat;
 use serde::Serialize;
 use std::fmt::Display;
 
@@ -69,6 +70,8 @@ pub enum Field {
     Reciprocal,
     /// What the depth start gains.
     StartBias,
+    /// What is stored of depth.
+    DepthFormat,
 }
 
 /// Why a field does not take a value in some profile.
@@ -108,7 +111,7 @@ impl Display for Value {
 
 impl Field {
     /// Every field, in the order that budgets are listed in.
-    pub const ALL: [Self; 18] = [
+    pub const ALL: [Self; 19] = [
         Self::SubPixel,
         Self::VertexInteger,
         Self::Snap,
@@ -127,6 +130,7 @@ impl Field {
         Self::Clamp,
         Self::Reciprocal,
         Self::StartBias,
+        Self::DepthFormat,
     ];
 
     /// The name on the command line and in reports.
@@ -150,6 +154,7 @@ impl Field {
             Self::Clamp => "clamp",
             Self::Reciprocal => "reciprocal",
             Self::StartBias => "start-bias",
+            Self::DepthFormat => "depth-format",
         }
     }
 
@@ -186,6 +191,7 @@ impl Field {
             Self::Stamp => Stamp::ALL.map(Stamp::name).to_vec(),
             Self::Clamp => Clamp::ALL.map(Clamp::name).to_vec(),
             Self::StartBias => BIASES.to_vec(),
+            Self::DepthFormat => DepthFormat::NAMES.to_vec(),
             Self::EdgeWidth => vec![EXACT],
             Self::Reciprocal => vec![QUOTIENT],
             _ => Vec::new(),

@@ -171,7 +171,7 @@ impl Barycentric {
             setup.push(rise("rise1", "Depth of vertex 1 less that of vertex 0."));
             setup.push(rise("rise2", "Depth of vertex 2 less that of vertex 0."));
         }
-        let ports = Ports::valued(vertex, setup, read);
+        let ports = Ports::valued(vertex, setup, depth);
         let mask = EdgeFunction::new(config.edge, None, vertex, target, processor);
         Self { config, mask, depth, target, ports }
     }
@@ -265,7 +265,7 @@ impl Machine for Barycentric {
                 };
                 values.clear();
                 values.extend((x0..x1).map(|x| weighted.at(&self.config, x, y)));
-                accumulated_span(weighted.depth.read_out(), (y, x0), &values, out)
+                accumulated_span(&weighted.depth, (y, x0), &values, out)
             })?;
         }
         work.steps = work.visits;

@@ -30,7 +30,7 @@ impl EdgeFunction {
         processor: Processor,
     ) -> Self {
         let setup = edge_columns(edges, vertex);
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         Self { edges, depth, target, processor, ports }
     }
 

@@ -205,7 +205,7 @@ impl EdgeWalk {
         target: Target,
     ) -> Self {
         let setup = (0..3).flat_map(|k| config.columns(word, k)).collect();
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         Self { config, word, depth, target, ports }
     }
 }

@@ -32,7 +32,7 @@ impl EnginePerPixel {
         processor: Processor,
     ) -> Self {
         let setup = edge_columns(edges, vertex);
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         let engines = EdgeFunction::new(edges, depth, vertex, target, processor);
         Self { engines, edges, depth, target, exact: edges.width >= exact_width, ports }
     }

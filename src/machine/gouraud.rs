@@ -49,7 +49,7 @@ impl Gouraud {
                 config.columns(word, k).into_iter().chain(depth.into_iter().flatten())
             })
             .collect();
-        Self { config, word, depth, target, ports: Ports::valued(vertex, setup, read) }
+        Self { config, word, depth, target, ports: Ports::valued(vertex, setup, depth) }
     }
 
     fn edge(&self, [from, to]: [[i128; 2]; 2], z: Option<[i128; 2]>) -> Option<Edge> {
@@ -126,7 +126,7 @@ impl Gouraud {
         let (adjusted, _) = rounding.shift_right(slope * inside, fraction + grid.sub_pixel);
         let first = left.1 + adjusted;
         let values: Vec<i128> = (0..i128::from(x1 - x0)).map(|n| first + slope * n).collect();
-        accumulated_span(depth.read_out(), (y, x0), &values, out)
+        accumulated_span(depth, (y, x0), &values, out)
     }
 
     fn walk(

@@ -132,7 +132,7 @@ impl Homogeneous {
                 ]
             })
             .collect();
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         Self { config, depth, difference, target, ports }
     }
 

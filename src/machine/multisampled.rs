@@ -82,7 +82,7 @@ impl Multisampled {
             setup.push(column("dzdx", "Depth slope per pixel to the right."));
             setup.push(column("dzdy", "Depth slope per row downward."));
         }
-        let mut ports = Ports::valued(vertex, setup, read);
+        let mut ports = Ports::valued(vertex, setup, depth);
         let meaning = "Covered samples of the pixel, sample 0 in the lowest bit.";
         ports.mask = Some(Column::new("mask", config.samples, false, 0, meaning));
         ports.by_sample = config.depth == DepthAt::Sample && depth.is_some();
@@ -112,8 +112,9 @@ impl Multisampled {
                     let value = depth.accumulator(plane, x, y);
                     let place = Place { y: i64::from(y), x: i64::from(x) };
                     events.note(place, read.status(value), value);
-                    values.push(read.read(value));
-                    held.push(read.reduce(value).clamp(0, read.top() - 1));
+                    let kept = read.reduce(value).clamp(0, read.top() - 1);
+                    values.push(depth.code(kept));
+                    held.push(kept);
                 }
             }
         }

@@ -84,11 +84,12 @@ pub(super) fn report(
 
 /// A run whose unwrapped accumulators a machine found by other means than a plane.
 pub(super) fn accumulated_span(
-    read: ReadOut,
+    depth: &Depth,
     (y, x0): (u32, u32),
     accumulators: &[i128],
     out: &mut dyn Sink,
 ) -> Result<(), DrawError> {
+    let read = depth.read_out();
     if read.clamp() == Clamp::Error || out.wants_events() {
         let mut events = SpanEvents::default();
         for (value, x) in accumulators.iter().zip(i64::from(x0)..) {
@@ -97,7 +98,7 @@ pub(super) fn accumulated_span(
         report(read, events, out)?;
     }
     let held = |value: &i128| read.reduce(*value).clamp(0, read.top() - 1);
-    let values: Vec<u64> = accumulators.iter().map(|value| read.read(*value)).collect();
+    let values: Vec<u64> = accumulators.iter().map(|value| depth.code(held(value))).collect();
     let length = u32::try_from(values.len()).unwrap_or(u32::MAX);
     out.span(y, x0, x0 + length, &values);
     if out.wants_held() {

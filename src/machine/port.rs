@@ -1,7 +1,8 @@
 //! The words a machine takes and makes. Files, packages and waveforms derive from these.
 
-use crate::format::{Column, ReadOut};
+use crate::format::Column;
 use crate::setup::VertexConfig;
+use crate::value::Depth;
 
 /// Columns of a machine's inputs and outputs.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -21,8 +22,8 @@ pub struct Ports {
 impl Ports {
     /// The ports of a triangle machine whose coverage set-up has these columns, and whose depth
     /// is a plane.
-    pub fn triangle(vertex: &VertexConfig, mut setup: Vec<Column>, depth: Option<ReadOut>) -> Self {
-        if let Some(read) = depth {
+    pub fn triangle(vertex: &VertexConfig, mut setup: Vec<Column>, depth: Option<Depth>) -> Self {
+        if let Some(read) = depth.map(|depth| depth.read_out()) {
             let (width, fraction) = (read.width(), read.fraction());
             let column = |name, meaning| Column::new(name, width, true, fraction, meaning);
             setup.push(column("z", "Depth accumulator at pixel (0, 0)."));
@@ -34,7 +35,7 @@ impl Ports {
 
     /// The ports of a triangle machine whose set-up has these columns, those of its depth among
     /// them.
-    pub fn valued(vertex: &VertexConfig, setup: Vec<Column>, depth: Option<ReadOut>) -> Self {
+    pub fn valued(vertex: &VertexConfig, setup: Vec<Column>, depth: Option<Depth>) -> Self {
         let (low, high) = vertex.range();
         let signed = low < 0;
         let width = i128::BITS - high.leading_zeros() + u32::from(signed);
@@ -50,13 +51,18 @@ impl Ports {
                     &meaning,
                 ));
             }
-            if let Some(read) = depth {
-                let meaning = format!("Vertex {n}, depth code.");
-                input.push(Column::new(&format!("z{n}"), read.integer(), false, 0, &meaning));
+            if let Some(depth) = depth {
+                let (bits, meaning) =
+                    (depth.read_out().integer(), format!("Vertex {n}, depth code."));
+                input.push(Column::new(&format!("z{n}"), bits, false, 0, &meaning));
             }
         }
-        let depth = depth.map(|read| {
-            Column::new("z", read.integer(), false, 0, "Depth read-out after the clamp.")
+        let depth = depth.map(|depth| {
+            let meaning = match depth.config().format {
+                None => "Depth read-out after the clamp.",
+                Some(_) => "Depth as stored, in the profile's depth format.",
+            };
+            Column::new("z", depth.code_bits(), false, 0, meaning)
         });
         Self { input, setup, depth, mask: None, by_sample: false }
     }

@@ -60,7 +60,7 @@ impl Scanline {
                 ]
             })
             .collect();
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         Self { config, depth, target, narrow: fits_narrow(difference), ports }
     }
 

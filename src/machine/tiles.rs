@@ -106,7 +106,7 @@ impl Tiles {
         processor: Processor,
     ) -> Self {
         let setup = edge_columns(config.edge, vertex);
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         Self { config, depth, target, processor, ports }
     }
 

@@ -161,7 +161,7 @@ impl Traversed {
         target: Target,
     ) -> Self {
         let setup = edge_columns(edges, vertex);
-        let ports = Ports::triangle(vertex, setup, depth.map(|depth| depth.read_out()));
+        let ports = Ports::triangle(vertex, setup, depth);
         Self { edges, traversal, depth, target, ports }
     }
 }
@@ -206,7 +206,7 @@ impl Machine for Traversed {
                 if done.is_err() {
                 } else if let Some((depth, ..)) = &cursor.depth {
                     let values = &cursor.found[cursor.place(run[0], y)..][..(end - start) as usize];
-                    done = accumulated_span(depth.read_out(), (y, run[0]), values, out);
+                    done = accumulated_span(depth, (y, run[0]), values, out);
                 } else {
                     out.span(y, run[0], run[1], &[]);
                 }

@@ -5,7 +5,7 @@ use super::Model;
 use crate::cover::{Bitmask, FillRule, Rect, fits_narrow, scan};
 use crate::machine::{DrawError, Sink};
 use crate::setup::Triangle;
-use crate::value::Depth;
+use crate::value::{Depth, DepthBuffer};
 
 /// Coverage and depth of a window, in memory.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -44,6 +44,19 @@ impl Sink for Raster {
         let run = self.run(y, x0, x1);
         if depth.len() == run.len() {
             run.copy_from_slice(depth);
+        }
+    }
+}
+
+/// Fragments without depth do not reach it.
+impl Sink for DepthBuffer {
+    fn wants_setup(&self) -> bool {
+        false
+    }
+
+    fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
+        if depth.len() == (x1 - x0) as usize {
+            self.test(y, x0, depth);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The Z/w depth plane: guard, integer and interpolation bits, a start and two slopes.
 
+use super::depth_format::{DepthFormat, DepthFormatError};
 use crate::bits::{Place, Rounding, SpanEvents};
 use crate::cover::SampleGrid;
 use crate::dda::{Line, Processor, Walker, row_values};
@@ -38,6 +39,9 @@ pub struct DepthConfig {
     /// What the start gains.
     #[serde(default)]
     pub start_bias: StartBias,
+    /// What is stored in place of the integer part of Z/w, converted after interpolation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub format: Option<DepthFormat>,
 }
 
 /// A depth plane that cannot be built.
@@ -49,6 +53,9 @@ pub enum DepthError {
     /// The division is malformed.
     #[error(transparent)]
     Division(#[from] DivisionError),
+    /// The stored format is malformed.
+    #[error(transparent)]
+    Format(#[from] DepthFormatError),
     /// The exact numerators outgrow 128-bit arithmetic (clause `P-5`).
     #[error(
         "integer + 2 * vertex difference bits + 4 + interpolation + reciprocal bits = \
@@ -78,6 +85,9 @@ impl DepthConfig {
         let Self { guard, integer, interpolation, clamp, division, .. } = *self;
         let read = ReadOut::new(guard, integer, interpolation, clamp)?;
         division.validate()?;
+        if let Some(format) = self.format {
+            format.validate(integer, interpolation)?;
+        }
         let (difference, reciprocal) = (vertex.difference_bits(), division.growth());
         let sum = integer + 2 * difference + 4 + interpolation + reciprocal;
         if sum > 126 {
@@ -149,8 +159,37 @@ impl Depth {
         }
     }
 
+    /// The code that is stored for a held accumulator.
+    #[inline]
+    pub fn code(&self, held: i128) -> u64 {
+        match self.config.format {
+            None => u64::try_from(held >> self.read.fraction()).unwrap_or(u64::MAX),
+            Some(format) => {
+                let (integer, interpolation) = (self.config.integer, self.config.interpolation);
+                // Nearest for what is made anew; the accumulator's own fraction is in it.
+                format.convert(held, integer, interpolation, Rounding::NearestEven)
+            }
+        }
+    }
+
+    /// Bits of a stored code.
+    pub fn code_bits(&self) -> u32 {
+        self.config.format.map_or(self.config.integer, |format| format.bits())
+    }
+
+    /// Whether a larger code is nearer.
+    pub fn is_reversed(&self) -> bool {
+        self.config.format.is_some_and(|format| format.is_reversed())
+    }
+
     /// Reads the run of `out.len()` samples from pixel (x, y) rightward.
     pub fn span(&self, plane: &Plane, y: u32, x: u32, out: &mut [u64]) {
+        if self.config.format.is_some() {
+            for (slot, x) in out.iter_mut().zip(x..) {
+                *slot = self.code(self.held(plane, x, y));
+            }
+            return;
+        }
         let start = plane.at(i128::from(x), i128::from(y));
         match (self.narrow, self.wide) {
             (Some(decode), _) => {

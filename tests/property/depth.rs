@@ -81,6 +81,7 @@ proptest! {
         let clamp = Clamp::Guard;
         profile.depth = Some(DepthConfig {
             guard: 2, integer: 24, interpolation, rounding, division, clamp, start_bias,
+            format: None,
         });
         let triangle = Triangle { xy, z: Some(z) };
         let [a, b, c] = xy;
@@ -132,6 +133,7 @@ proptest! {
         let division = Division::Quotient;
         profile.depth = Some(DepthConfig {
             guard, integer: 5, interpolation, rounding, division, clamp, start_bias: StartBias::None,
+            format: None,
         });
         let model = Model::new(&profile).unwrap();
         let mut drawing = Drawing::default();

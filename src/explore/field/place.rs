@@ -7,7 +7,10 @@ use crate::format::Clamp;
 use crate::machine::EdgeWalkConfig;
 use crate::profile::{Form, Profile};
 use crate::setup::Division;
-use crate::value::{DepthConfig, StartBias};
+use crate::value::{DepthConfig, DepthFormat, StartBias};
+
+/// f / n of a format that a profile does not state.
+const RATIO: u32 = 1000;
 
 impl Field {
     /// What a profile has here; `None` where it has no such field.
@@ -42,6 +45,9 @@ impl Field {
             },
             Self::StartBias => {
                 Value::Name(BIASES[usize::from(depth?.start_bias == StartBias::Half)])
+            }
+            Self::DepthFormat => {
+                Value::Name(depth?.format.map_or(DepthFormat::NAMES[0], |format| format.name()))
             }
         })
     }
@@ -117,6 +123,16 @@ impl Field {
                 let half = *value == Value::Name(BIASES[1]);
                 self.depth(profile)?.start_bias =
                     if half { StartBias::Half } else { StartBias::None };
+            }
+            Self::DepthFormat => {
+                let Value::Name(name) = value else { return Err(self.unfit(value)) };
+                let depth = self.depth(profile)?;
+                let ratio = depth.format.and_then(|format| format.ratio()).unwrap_or(RATIO);
+                let format = DepthFormat::named(name, depth.integer.min(32), ratio);
+                let format = format.ok_or_else(|| self.unfit(value))?;
+                // Z/w in as many bits as the plane has is what is stored anyway.
+                let plain = matches!(format, DepthFormat::ZOverW { .. });
+                depth.format = (!plain).then_some(format);
             }
         }
         Ok(())

@@ -140,8 +140,9 @@ pub(super) fn before_snapping(
 /// Pairs that a depth evaluator exchanges, pairs that it makes equal, and the accumulators that
 /// decided. `worst` bounds its error at every sample in ULP; infinity where there is no bound.
 pub(super) fn broken(stage: &Stage, depth: &Depth, worst: f64) -> (u64, u64, Reach) {
-    // Codes are floors: equal ones are less than 1 apart, each off by `worst` at most.
-    let reach = 1.0 + 2.0 * worst;
+    // Codes are floors: equal ones are less than 1 apart, each off by `worst` at most. Those of a
+    // format of its own may be any distance apart.
+    let reach = if depth.config().format.is_some() { f64::INFINITY } else { 1.0 + 2.0 * worst };
     let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
     let (mut inversions, mut ties, mut reach) = (0, 0, Reach::default());
     for (_, order, accumulators) in pairs_in_order(stage, depth, pairs) {
@@ -176,13 +177,14 @@ pub(super) fn pairs_in_order<'a>(
             let plane = made.unwrap_or_else(|| plane(&stage.faces[index]))?;
             let accumulator = plane.at(pair.x.into(), pair.y.into());
             let held = depth.held(&plane, pair.x, pair.y);
-            Some((held >> depth.read_out().fraction(), accumulator))
+            Some((depth.code(held), accumulator))
         };
         let (near, far) = (code(pair.near), code(pair.far));
         let mut reach = Reach::default();
         for (_, accumulator) in [near, far].into_iter().flatten() {
             reach.widen(Reach(Some((accumulator, accumulator))));
         }
-        (pair, near.map(|near| near.0).cmp(&far.map(|far| far.0)), reach)
+        let order = near.map(|near| near.0).cmp(&far.map(|far| far.0));
+        (pair, if depth.is_reversed() { order.reverse() } else { order }, reach)
     })
 }

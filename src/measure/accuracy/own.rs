@@ -130,7 +130,7 @@ fn extent(held: Option<&Held>) -> Reach {
 /// Pairs of neighbours in depth that the machine exchanges, and pairs that it makes equal, among
 /// those that it draws at all.
 fn broken(stage: &Stage, model: &Model, depth: &Depth, worst: f64) -> (u64, u64) {
-    let reach = 1.0 + 2.0 * worst;
+    let reach = if depth.config().format.is_some() { f64::INFINITY } else { 1.0 + 2.0 * worst };
     let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
     let mut drawn: Vec<Option<Held>> = stage.faces.iter().map(|_| None).collect();
     let (mut inversions, mut ties) = (0, 0);
@@ -140,9 +140,10 @@ fn broken(stage: &Stage, model: &Model, depth: &Depth, worst: f64) -> (u64, u64)
             let face = &stage.faces[index];
             let surface = face.depth.as_ref()?;
             let held = drawn[index].get_or_insert_with(|| Held::draw(model, face, surface));
-            Some(held.at(pair.x, pair.y)? >> depth.read_out().fraction())
+            Some(depth.code(held.at(pair.x, pair.y)?))
         };
-        match code(pair.near).zip(code(pair.far)).map(|(near, far)| near.cmp(&far)) {
+        let order = code(pair.near).zip(code(pair.far)).map(|(near, far)| near.cmp(&far));
+        match order.map(|order| if depth.is_reversed() { order.reverse() } else { order }) {
             Some(Ordering::Greater) => inversions += 1,
             Some(Ordering::Equal) => ties += 1,
             _ => {}
