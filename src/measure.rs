@@ -6,6 +6,7 @@ pub mod budget;
 pub mod comparison;
 pub mod cost;
 pub mod error;
+pub mod experiment;
 pub mod interpolation;
 pub mod require;
 pub mod resolution;

@@ -201,3 +201,26 @@ fn quadrilaterals_are_split_along_the_better_diagonal() {
         assert_eq!(diagonal.split(corners).map(area), [16, 16]);
     }
 }
+
+/// Clause Y-7: what each experiment is to show.
+#[test]
+fn experiments_show_what_they_are_about() {
+    let made = guardbit::measure::experiment::experiments();
+    // T-vertices crack at every grid, less on finer ones, and never vanish.
+    let cracks: Vec<u64> = made.t_vertices.iter().map(|row| row.holes + row.double_hits).collect();
+    assert!(cracks[0] > 1000 && cracks.windows(2).all(|pair| pair[1] < pair[0]), "{cracks:?}");
+    assert!(made.t_vertices[1].holes > 0 && made.t_vertices[1].double_hits > 0);
+    // Thin slivers: few samples, a larger part of them misplaced, steeper depth.
+    let part = |n: usize| made.acute[n].misplaced as f64 / made.acute[n].samples.max(1) as f64;
+    assert!(made.acute.windows(2).all(|pair| pair[1].samples < pair[0].samples));
+    assert!(made.acute.windows(2).all(|pair| pair[1].slope > pair[0].slope));
+    assert!(part(5) > 10.0 * part(0), "{:?}", made.acute);
+    // A moved sample grid meets no vertex, and edges all the same.
+    assert!(made.offset_grid[0].on_vertices > 0);
+    assert_eq!(made.offset_grid[1].on_vertices, 0);
+    assert!(made.offset_grid[1].on_edges > 100);
+    // Lines with a depth of their own disappear; an offset or the plane keeps them.
+    let [own, moved, plane] = &made.outlines[..] else { panic!("three ways") };
+    assert!(own.pixels > 1000 && own.hidden * 4 > own.pixels, "{own:?}");
+    assert_eq!((moved.hidden, plane.hidden), (0, 0));
+}

@@ -1,6 +1,7 @@
 //! `guardbit compare`: machine against machine on one scene.
 
 mod depth;
+mod experiment;
 mod interpolation;
 mod machine;
 mod picture;
@@ -67,9 +68,11 @@ enum Show {
     Depth,
     /// Attributes: affine and perspective by several means, with error and operations.
     Interpolation,
+    /// T-vertices, acute triangles, a moved sample grid, outlines; no scene counts.
+    Experiments,
 }
 
-fn parse_machine(text: &str) -> Result<&'static str, String> {
+pub(crate) fn parse_machine(text: &str) -> Result<&'static str, String> {
     let known = MACHINES.into_iter().map(|(name, _)| name);
     known
         .clone()
@@ -111,6 +114,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Show::Traversal => traversal::show(request),
         Show::Depth => depth::show(request),
         Show::Interpolation => interpolation::show(request),
+        Show::Experiments => experiment::show(&request),
     }
 }
 

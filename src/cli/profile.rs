@@ -21,6 +21,10 @@ enum Action {
     Show {
         /// A built-in name or a TOML file.
         profile: String,
+        /// The same with another machine: edge-function, edge-walk, gouraud, engine-per-pixel,
+        /// barycentric, tiles, homogeneous or scanline.
+        #[arg(long, value_name = "NAME", value_parser = super::compare::parse_machine)]
+        machine: Option<&'static str>,
     },
     /// The JSON schema of profile files.
     Schema,
@@ -35,8 +39,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 output.line(format!("{name:<12} {}", profile.about))?;
             }
         }
-        Action::Show { profile } => {
+        Action::Show { profile, machine } => {
             let loaded = profile::load(profile)?;
+            if let Some(machine) = machine {
+                let mut changed = loaded.with_machine(machine).unwrap_or_else(|| loaded.clone());
+                changed.name = format!("{}-{machine}", loaded.name);
+                changed.validate().map_err(Failure::input)?;
+                output.text(changed.to_toml())?;
+                output.flush()?;
+                return Ok(Outcome::Good);
+            }
             // A built-in is shown with its comments, anything else as this build understands it.
             match BUILTIN.iter().find(|(name, _)| name == profile) {
                 Some((_, text)) => output.text(text)?,

@@ -2,10 +2,12 @@
 //! way to emit any test alone. Spec clauses `N-2` to `N-4`.
 
 mod coverage;
+mod line;
 mod triangle;
 mod walk;
 
 pub use coverage::{Cell, Coverage, Shape};
+pub use line::LineBench;
 pub use triangle::TriangleBench;
 pub use walk::{Quirk, WalkBench, WalkKind};
 
@@ -113,6 +115,9 @@ impl Source {
         }
         benches.push(Box::new(TriangleBench::setup(self)));
         benches.push(Box::new(TriangleBench::triangle(self)));
+        for bench in [LineBench::line(self), LineBench::point(self)].into_iter().flatten() {
+            benches.push(Box::new(bench));
+        }
         benches
     }
 }

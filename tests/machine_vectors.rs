@@ -1,0 +1,136 @@
+//! Golden sets of every machine, of lines, points and several samples a pixel: written, verified,
+//! recomputed, and a defect in them found.
+#![cfg(feature = "cli")]
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+use guardbit::cover::{DepthAt, LineConfig, LineRule, MultisampleConfig, PointConfig};
+use guardbit::profile::{MACHINES, Profile, WindowConfig, load};
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn guardbit(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_guardbit"))
+        .args(arguments)
+        .current_dir(folder)
+        .output()
+        .unwrap()
+}
+
+fn good(folder: &Path, arguments: &[&str]) -> String {
+    let output = guardbit(folder, arguments);
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {stderr}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Writes a set of a profile into `set`.
+fn write(folder: &Path, profile: &Profile) {
+    std::fs::write(folder.join("profile.toml"), profile.to_toml()).unwrap();
+    let common = ["vectors", "profile.toml", "--out", "set", "--count", "3000", "--force"];
+    good(folder, &common);
+    good(folder, &["verify", "set", "--recompute"]);
+}
+
+/// Every machine has a set that verifies, and its triangle files agree with those of edge functions
+/// where the machine is exact.
+#[test]
+fn every_machine_has_a_golden_set() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let mut spans = None;
+    for (machine, _) in MACHINES {
+        let mut profile = load("sgi-4k").unwrap().with_machine(machine).unwrap();
+        profile.window = WindowConfig { width: 256, height: 256 };
+        write(folder, &profile);
+        let span = std::fs::read_to_string(folder.join("set/span.exp.tv")).unwrap();
+        if profile.covers_exactly() {
+            assert_eq!(spans.get_or_insert_with(|| span.clone()), &span, "{machine}");
+        }
+        let traced = good(folder, &["trace", "profile.toml", "--test", "triangle/slivers/0"]);
+        assert!(traced.contains("triangle.cfg") && traced.contains("span.exp"), "{traced}");
+        // A device without the profile's rounding, or rule, is told by name.
+        let mut wrong = profile.clone();
+        if let Some(depth) = wrong.depth.as_mut() {
+            depth.rounding = guardbit::bits::Rounding::Floor;
+        }
+        std::fs::write(folder.join("wrong.toml"), wrong.to_toml()).unwrap();
+        good(folder, &["vectors", "wrong.toml", "--out", "wrong", "--count", "3000", "--force"]);
+        let ran =
+            guardbit(folder, &["verify", "set", "--dut", "wrong/setup.exp.tv", "--errors", "1"]);
+        let text = String::from_utf8_lossy(&ran.stdout).into_owned();
+        if machine == "barycentric" {
+            // Its shares are rounded by a field of its own.
+            assert_eq!(ran.status.code(), Some(0), "{text}");
+        } else {
+            assert_eq!(ran.status.code(), Some(1), "{machine}: {text}");
+            assert!(text.contains("depth.rounding is floor"), "{machine}: {text}");
+        }
+    }
+}
+
+/// Lines and points have benches where a profile states their rules, and another rule is named.
+#[test]
+fn lines_and_points_have_golden_sets() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let mut profile = load("d3d11").unwrap();
+    profile.window = WindowConfig { width: 256, height: 256 };
+    write(folder, &profile);
+    for file in ["line.cfg.tv", "line.exp.tv", "point.cfg.tv", "point.exp.tv"] {
+        assert!(
+            std::fs::read_to_string(folder.join("set").join(file)).unwrap().lines().count() > 20
+        );
+    }
+    let traced = good(folder, &["trace", "profile.toml", "--test", "line/octants/1"]);
+    assert!(traced.contains("line from ("), "{traced}");
+    let mut wrong = profile.clone();
+    wrong.line = Some(LineConfig { rule: LineRule::DiamondVulkan, stipple: None });
+    wrong.point = Some(PointConfig::default());
+    std::fs::write(folder.join("wrong.toml"), wrong.to_toml()).unwrap();
+    good(folder, &["vectors", "wrong.toml", "--out", "wrong", "--count", "3000"]);
+    for (file, cause) in
+        [("line.exp.tv", "line.rule is diamond-vulkan"), ("point.exp.tv", "point.rule is pixel")]
+    {
+        let dump = format!("wrong/{file}");
+        let ran = guardbit(folder, &["verify", "set", "--dut", &dump, "--errors", "1"]);
+        let text = String::from_utf8_lossy(&ran.stdout).into_owned();
+        assert_eq!(ran.status.code(), Some(1), "{text}");
+        assert!(text.contains(cause), "{text}");
+    }
+    // A profile without the tables has no such files.
+    let mut plain = load("sgi-4k").unwrap();
+    plain.window = WindowConfig { width: 256, height: 256 };
+    write(folder, &plain);
+    assert!(!folder.join("set/line.cfg.tv").exists());
+}
+
+/// Several samples a pixel: masks, depth by pixel or by sample, both verified.
+#[test]
+fn several_samples_have_golden_sets() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (depth, columns) in [(DepthAt::Centre, 4), (DepthAt::Sample, 5)] {
+        let mut profile = load("sgi-4k").unwrap();
+        profile.window = WindowConfig { width: 128, height: 128 };
+        profile.multisample = Some(MultisampleConfig { samples: 4, depth });
+        write(folder, &profile);
+        let first = |file: &str| {
+            let text = std::fs::read_to_string(folder.join("set").join(file)).unwrap();
+            text.lines().next().unwrap().split('_').count()
+        };
+        assert_eq!((first("depth.exp.tv"), first("mask.exp.tv")), (columns, 4));
+        // One wrong mask is one mismatch.
+        let path = folder.join("set/mask.exp.tv");
+        let text = std::fs::read_to_string(&path).unwrap();
+        let last = if text.ends_with("f\n") { '7' } else { 'f' };
+        let broken = format!("{}{last}\n", &text[..text.len() - 2]);
+        std::fs::write(folder.join("dump.mask.exp.tv"), broken).unwrap();
+        let ran = guardbit(
+            folder,
+            &["verify", "set", "--dut", "dump.mask.exp.tv", "--file", "mask.exp.tv"],
+        );
+        let text = String::from_utf8_lossy(&ran.stdout).into_owned();
+        assert_eq!(ran.status.code(), Some(1), "{text}");
+        assert!(text.contains("1 mismatches"), "{text}");
+    }
+}
