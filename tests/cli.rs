@@ -148,8 +148,9 @@ fn bad_lines_do_not_stop_the_rest() {
         ),
         (r#"{"id": 1, "f": [[0,0],[{"bits": "7f8"},0],[0,1]]}"#, "1", "field `f[1][0].bits`"),
         (r#"{"id": 1, "f": [[0,0],[{"bits": "7fc00000"},0],[0,1]]}"#, "1", "f[1][0] is NaN"),
-        (r#"{"id": 1, "line": [[0,0],[1,1]]}"#, "1", "field `line`"),
-        (r#"{"id": 1, "point": [0,0]}"#, "1", "field `point`"),
+        (r#"{"id": 1, "line": [[0,0],[1,1,1]]}"#, "1", "field `line[1]`"),
+        (r#"{"id": 1, "point": [0,99]}"#, "1", "point[1] = 99"),
+        (r#"{"id": 1, "clip": [[0,0,1],[8,0,1],[0,8,1]]}"#, "1", "field `clip`"),
         (r#"{"id": 1, "words": ["00"]}"#, "1", "field `words`"),
     ] {
         let (code, out) = eval(&["tiny"], &[good, bad, "", good]);

@@ -190,3 +190,48 @@ fn nonsense_is_refused_with_what_to_do() {
         assert!(stderr.contains(hint), "{arguments:?}: {stderr}");
     }
 }
+
+/// Machines, orders of visits and depth formats are axes of `explore`, and agree with `compare`.
+#[test]
+fn machines_orders_and_formats_are_axes_of_explore() {
+    let common = ["--scene", "terrain", "--window", "160x120", "--json"];
+    let explored = |axis: &[&str]| {
+        let report = json(&[&["explore"], &common[..], axis].concat());
+        report.as_array().unwrap().clone()
+    };
+    let machines = "form=edge-function,edge-walk,gouraud,engine-per-pixel,barycentric,tiles,homogeneous,scanline";
+    let records = explored(&["--vary", machines]);
+    let compared = json(&[&["compare", "--no-time"], &common[..]].concat());
+    assert_eq!(records.len(), 8);
+    for record in &records {
+        let name = record["budget"]["form"].as_str().unwrap();
+        let row = machine(&compared, name);
+        let arithmetic = &record["accuracy"]["arithmetic"];
+        assert_eq!(arithmetic["misclassified"], row["coverage_differs"], "{name}");
+        assert_eq!(arithmetic["depth"]["ulp"]["worst"], row["depth_worst_ulp"], "{name}");
+        assert_eq!(record["cost"]["adder_bits"], row["accumulator_bits"], "{name}");
+    }
+    let orders = "traversal=rows,bounding-box,backtrack,zigzag,tiles,binned,morton,hilbert";
+    let records = explored(&["--vary", orders]);
+    assert_eq!(records.len(), 8);
+    for record in &records {
+        assert_eq!(record["accuracy"], records[0]["accuracy"]);
+    }
+    let costs: Vec<f64> =
+        records.iter().map(|r| r["operations_per_fragment"].as_f64().unwrap()).collect();
+    assert!(costs[3] < costs[1], "zigzag visits less than the box: {costs:?}");
+    let stamps = explored(&["--vary", "traversal=zigzag", "--vary", "stamp=1x1,2x1,2x2"]);
+    assert_eq!(stamps.len(), 3);
+    let formats =
+        "depth-format=z-over-w,one-over-w,object-z,inverse-z,float-far-zero,float-near-zero";
+    // The last scene given counts as well: one with many surfaces behind each other.
+    let records = explored(&["--vary", formats, "--vary", "integer=6", "--scene", "knot"]);
+    let ties: Vec<u64> = records
+        .iter()
+        .map(|record| record["accuracy"]["arithmetic"]["ties"].as_u64().unwrap())
+        .collect();
+    assert!(ties.len() == 6 && ties[0] > 10 && ties.iter().any(|t| t != &ties[0]), "{ties:?}");
+    let ran = guardbit(&["fit", "--scene", "terrain", "--vary", "form=tiles,gouraud"]);
+    assert_eq!(ran.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&ran.stderr).contains("explore measures every machine"));
+}

@@ -1,5 +1,9 @@
 //! Polygons, clipping and quadrilaterals against their definitions.
-#![allow(clippy::unwrap_used, reason = "a test may panic")]
+#![allow(
+    clippy::unwrap_used,
+    clippy::cast_precision_loss,
+    reason = "a test may panic, and its numbers are small"
+)]
 
 use guardbit::bits::Rounding;
 use guardbit::case::Words;

@@ -122,6 +122,24 @@ fn look_for_nothing(best: &Best, tolerances: &[Tolerance]) -> Result<(), Failure
     Ok(())
 }
 
+/// The search leaves budgets out by proofs about planes; machines that make depth by other means have
+/// none.
+fn refuse_own_depth(sweep: &guardbit::explore::sweep::Sweep) -> Result<(), Failure> {
+    let base = sweep.space.base();
+    let varied = sweep.space.axes().iter().filter(|axis| axis.field == Field::Form);
+    let names = varied.flat_map(|axis| &axis.values).map(ToString::to_string);
+    let own = std::iter::once(base.form.name().to_owned()).chain(names).find(|name| {
+        base.with_machine(name).is_some_and(|p| p.depth.is_some() && !p.form.walks_a_plane())
+    });
+    match own {
+        Some(name) => {
+            let message = format!("form = {name}: its depth is no plane, and fit proves by planes");
+            Err(Failure::input(message).hint("explore measures every machine, budget by budget"))
+        }
+        None => Ok(()),
+    }
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.space.axes.iter().any(|axis| axis == "help") {
         return columns_help();
@@ -131,6 +149,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(Failure::input(message).hint("costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits, setup-bits"));
     }
     let sweep = arguments.space.sweep(default_axes)?;
+    refuse_own_depth(&sweep)?;
     let tolerances = with_defaults(arguments.tolerances.clone());
     let (first, end) = arguments.shard.unwrap_or(Shard::WHOLE).range(sweep.space.len());
     let request = Request {

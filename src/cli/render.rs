@@ -110,6 +110,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let window = &mut profile.window;
     (window.width, window.height) =
         arguments.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
+    // A picture has one depth a pixel; errors are those of its centre.
+    if arguments.show == Show::Error {
+        profile.multisample = None;
+    } else if let Some(multisample) = &mut profile.multisample {
+        multisample.depth = guardbit::cover::DepthAt::Centre;
+    }
     profile.validate().map_err(Failure::input)?;
     let (width, height) = (profile.window.width, profile.window.height);
     let zoom = arguments.zoom.unwrap_or_else(|| (256 / width.max(height)).max(1));

@@ -179,13 +179,13 @@ impl LineConfig {
         let ends = line.map(pixel);
         match self.rule {
             LineRule::DiamondD3d => {
-                diamond::walk(diamond::Kind::D3d, line, grid, clip, &mut inside)
+                diamond::walk(diamond::Kind::D3d, line, grid, clip, &mut inside);
             }
             LineRule::DiamondVulkan => {
                 diamond::walk(diamond::Kind::Vulkan, line, grid, clip, &mut inside);
             }
             LineRule::Bresenham => {
-                step::within(ends, clip, step::Rule::Tie(Tie::East), &mut inside)
+                step::within(ends, clip, step::Rule::Tie(Tie::East), &mut inside);
             }
             LineRule::Midpoint { tie } => {
                 step::within(ends, clip, step::Rule::Tie(tie), &mut inside);

@@ -59,7 +59,9 @@ pub fn polygon(
                 row(y, x0, x1);
             }
         }
-        active.iter_mut().for_each(|edge| edge.side.down());
+        for edge in &mut active {
+            edge.side.down();
+        }
         y += 1;
     }
 }

@@ -22,14 +22,14 @@ pub struct Multisampled {
 
 /// Runs of one sample.
 #[derive(Default)]
-struct Runs {
+struct Kept {
     setup: Vec<i128>,
     runs: Vec<[u32; 3]>,
     zero_area: bool,
     work: Work,
 }
 
-impl Sink for Runs {
+impl Sink for Kept {
     fn setup(&mut self, words: &[i128]) {
         self.setup.extend_from_slice(words);
     }
@@ -149,15 +149,15 @@ impl Machine for Multisampled {
         let mut setup = Vec::new();
         let mut samples = Vec::with_capacity(self.samples.len());
         for machine in &self.samples {
-            let mut runs = Runs::default();
-            machine.draw(&Input::Triangle(&Triangle { z: None, ..triangle }), &mut runs)?;
-            if runs.zero_area {
+            let mut kept = Kept::default();
+            machine.draw(&Input::Triangle(&Triangle { z: None, ..triangle }), &mut kept)?;
+            if kept.zero_area {
                 out.zero_area();
                 return Ok(());
             }
-            setup.append(&mut runs.setup);
-            work.add(&runs.work);
-            samples.push(runs.runs);
+            setup.append(&mut kept.setup);
+            work.add(&kept.work);
+            samples.push(kept.runs);
         }
         let planes = self.planes(&triangle);
         if self.depth.is_some() {
@@ -177,7 +177,9 @@ impl Machine for Multisampled {
             for (n, runs) in samples.iter().enumerate() {
                 while let Some([_, x0, x1]) = runs.get(next[n]).filter(|run| run[0] == y) {
                     let row = &mut masks[(x0 - bounds.x0) as usize..(x1 - bounds.x0) as usize];
-                    row.iter_mut().for_each(|mask| *mask |= 1 << n);
+                    for mask in row {
+                        *mask |= 1 << n;
+                    }
                     next[n] += 1;
                 }
             }

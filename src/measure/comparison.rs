@@ -144,6 +144,9 @@ impl Compared {
             saved.push(without_depth(&profile)?);
             profile.depth = None;
         }
+        if let Some(multisample) = profile.multisample.take() {
+            saved.push(without_samples(&profile, multisample.samples)?);
+        }
         let reference = Reference::new(scene, &profile);
         Ok(Self { reference, profile, stages: Vec::new(), saved })
     }
@@ -198,6 +201,20 @@ impl Compared {
             saved: self.saved,
         })
     }
+}
+
+/// Machines are compared at one sample a pixel: what the others would take.
+fn without_samples(profile: &Profile, samples: u32) -> Result<Saved, InvalidProfile> {
+    let cost = estimate(&Profile { depth: None, ..profile.clone() })?;
+    let all = |count: Count| count.add + count.multiply + count.divide + count.compare;
+    let more = u64::from(samples - 1);
+    Ok(Saved {
+        evaluator: "antialiasing",
+        why: "machines are compared at one sample a pixel",
+        triangle: more * all(cost.operations.triangle),
+        fragment: more * all(cost.operations.visit + cost.operations.fragment),
+        bits: (samples - 1) * cost.adder_bits,
+    })
 }
 
 fn without_depth(profile: &Profile) -> Result<Saved, InvalidProfile> {

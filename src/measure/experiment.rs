@@ -116,7 +116,9 @@ fn t_vertices(sub_pixel: u32) -> TVertexRow {
         let (above, below) = ([32 * unit, 0], [32 * unit, 63 * unit]);
         let mut hits = vec![0u8; (SIDE * SIDE) as usize];
         for shape in [[a, b, above], [a, middle, below], [middle, b, below]] {
-            covered(shape, &grid).into_iter().for_each(|place| hits[place as usize] += 1);
+            for place in covered(shape, &grid) {
+                hits[place as usize] += 1;
+            }
         }
         // What the same quadrilateral covers when it shares the whole edge.
         let mut whole = BTreeSet::new();

@@ -97,11 +97,13 @@ fn print(output: &mut Output, scene: &str, lens: Lens, rows: &[FormatRow]) -> Re
         first.bits
     ))?;
     output.line("")?;
-    let places: String =
-        first.steps.iter().map(|step| format!(" {:>11}", number(step.distance))).collect();
+    let across = |values: &mut dyn Iterator<Item = f64>| {
+        values.map(|value| format!("{:>12}", number(value))).collect::<Vec<_>>().concat()
+    };
+    let places = across(&mut first.steps.iter().map(|step| step.distance));
     output.line(format!("format           nearer is  mean step{places}        ties"))?;
     for row in rows {
-        let steps: String = row.steps.iter().map(|s| format!(" {:>11}", number(s.step))).collect();
+        let steps = across(&mut row.steps.iter().map(|step| step.step));
         output.line(format!(
             "{:<16} {:<9} {:>10}{steps} {:>11}",
             row.format,

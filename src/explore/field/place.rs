@@ -24,11 +24,14 @@ impl Field {
             Self::VertexInteger => Value::Bits(profile.vertex.integer),
             Self::Snap => rounding(profile.vertex.snap),
             Self::Form => Value::Name(profile.form.name()),
-            Self::Traversal if !visits => return None,
+            Self::Traversal | Self::Stamp if !visits => return None,
             Self::Traversal => {
                 Value::Name(profile.traversal.map_or(ROWS, |traversal| traversal.order.name()))
             }
-            Self::Stamp => Value::Name(profile.traversal?.stamp.name()),
+            Self::Stamp => {
+                let stamp = profile.traversal.map_or(Stamp::One, |traversal| traversal.stamp);
+                Value::Name(stamp.name())
+            }
             Self::EdgeWidth => Value::Bits(edges?.width),
             Self::WalkFraction => Value::Bits(walk?.fraction),
             Self::WalkInteger => Value::Bits(walk?.integer),
@@ -91,7 +94,14 @@ impl Field {
             Self::Stamp => {
                 let named = |stamp: &Stamp| Value::Name(stamp.name()) == *value;
                 let stamp = Stamp::ALL.into_iter().find(named).ok_or_else(|| self.unfit(value))?;
-                profile.traversal.as_mut().ok_or(self.absent())?.stamp = stamp;
+                if !matches!(profile.form, Form::EdgeFunction(_)) {
+                    return Err(self.absent());
+                }
+                let plain = profile.traversal.is_none() && stamp == Stamp::One;
+                let rows = TraversalConfig { order: Order::BoundingBox, stamp };
+                if !plain {
+                    profile.traversal.get_or_insert(rows).stamp = stamp;
+                }
             }
             Self::EdgeWidth => {
                 let width = match value {

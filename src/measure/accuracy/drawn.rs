@@ -60,7 +60,7 @@ impl Drawn {
         profile: &Profile,
         go_on: &mut dyn FnMut(usize, &Tally) -> bool,
     ) -> Result<Result<Self, Tally>, InvalidProfile> {
-        let coverage = Profile { depth: None, ..profile.clone() };
+        let coverage = Profile { depth: None, multisample: None, ..profile.clone() };
         let model = Model::new(&coverage)?;
         let mut runs = Runs::default();
         let (mut both, mut ends) = (Vec::new(), Vec::with_capacity(stage.faces.len()));

@@ -31,7 +31,8 @@ impl<'a> Inspector<'a> {
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality.
     pub fn new(stage: &'a Stage, profile: &Profile) -> Result<Self, InvalidProfile> {
-        Ok(Self { stage, model: Model::new(profile)? })
+        let profile = Profile { multisample: None, ..profile.clone() };
+        Ok(Self { stage, model: Model::new(&profile)? })
     }
 
     /// Calls `each` with column, row and error of every sample of a face that is covered or should
