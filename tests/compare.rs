@@ -48,6 +48,10 @@ fn every_machine_has_a_row_with_the_agreed_keys() {
             }
         }
         assert!(row["ns_per_fragment"].as_f64().unwrap() > 0.0);
+        // Errors use a part of what their clauses allow.
+        let part = row["depth_of_bound"].as_f64().unwrap();
+        assert!(part > 0.001 && part <= 1.0, "{row}");
+        assert_eq!(row["beyond_bound"], 0, "{row}");
         if row["exact"] == true {
             for key in ["coverage_differs", "holes", "double_hits"] {
                 assert_eq!(row[key], 0, "{key} in {row}");

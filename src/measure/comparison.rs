@@ -1,6 +1,7 @@
 //! Machine against machine on one scene: coverage and depth against exact, operations, bits, time.
 //! Spec clauses `A-10` to `A-13`.
 
+mod bound;
 mod order;
 mod size;
 
@@ -61,6 +62,10 @@ pub struct Row {
     pub depth_worst_ulp: Option<f64>,
     /// Mean signed depth error in ULP.
     pub depth_mean_ulp: Option<f64>,
+    /// Largest depth error as a part of the bound that the machine's clause states; at most 1.
+    pub depth_of_bound: f64,
+    /// Samples misplaced further from an edge than the machine's clause allows; 0.
+    pub beyond_bound: u64,
     /// Neighbours in depth that change places.
     pub inversions: u64,
     /// Operations.
@@ -241,6 +246,7 @@ fn row(
     let deviation = measure(stage, &drawn, profile).tally.report();
     let cost = estimate(profile)?;
     let depth = deviation.depth.map(|depth| depth.ulp);
+    let used = bound::used(stage, profile)?;
     let fragments = drawn.covered;
     Ok(Row {
         name,
@@ -251,6 +257,8 @@ fn row(
         double_hits: deviation.double_hits,
         depth_worst_ulp: depth.map(|spread| spread.worst),
         depth_mean_ulp: depth.map(|spread| spread.mean),
+        depth_of_bound: used.depth,
+        beyond_bound: used.beyond,
         inversions: deviation.inversions,
         ops: shares(&cost.operations, &drawn.work, stage.runs.len() as u64, fragments),
         accumulator_bits: cost.adder_bits,
