@@ -7,7 +7,9 @@ use std::fmt::Write as _;
 
 const COLUMNS: usize = 4;
 const GAP: u32 = 16;
-const TITLE: u32 = 44;
+const TITLE: u32 = 60;
+/// Room for the words above a map, however narrow.
+const WORDS: u32 = 240;
 
 /// A map of the coverage and depth error of each machine.
 pub(super) fn machines(
@@ -23,9 +25,10 @@ pub(super) fn machines(
     // Small windows are enlarged, pixel by pixel.
     let zoom = (280 / width.max(height).max(1)).max(1);
     let (width, height) = (width * zoom, height * zoom);
+    let pitch = width.max(WORDS);
     let columns = u32::try_from(maps.len().clamp(1, COLUMNS)).unwrap_or(1);
     let rows = u32::try_from(maps.len().div_ceil(COLUMNS)).unwrap_or(1);
-    let (whole, tall) = (GAP + columns * (width + GAP), 40 + rows * (height + TITLE + GAP) + 48);
+    let (whole, tall) = (GAP + columns * (pitch + GAP), 40 + rows * (height + TITLE + GAP) + 48);
     // Writing to a String cannot fail.
     let mut svg = String::new();
     let _ = write!(
@@ -37,9 +40,9 @@ pub(super) fn machines(
         escaped(&comparison.scene)
     );
     for (n, (map, row)) in (0u32..).zip(maps.iter().zip(&comparison.machines)) {
-        let (x, y) = (GAP + n % columns * (width + GAP), 40 + n / columns * (height + TITLE + GAP));
+        let (x, y) = (GAP + n % columns * (pitch + GAP), 40 + n / columns * (height + TITLE + GAP));
         let depth = row.depth_worst_ulp.map_or_else(String::new, |worst| {
-            format!(", depth off by up to {} ULP", super::number(worst))
+            format!("depth off by up to {} ULP", super::number(worst))
         });
         let wrong = match (row.exact, row.coverage_differs) {
             (true, 0) => "coverage exact".to_owned(),
@@ -48,13 +51,15 @@ pub(super) fn machines(
         let _ = write!(
             svg,
             "<text x=\"{x}\" y=\"{}\" font-size=\"14\">{} ({})</text>\n\
-             <text x=\"{x}\" y=\"{}\" fill=\"#646464\">{wrong}{depth}</text>\n\
+             <text x=\"{x}\" y=\"{}\" fill=\"#646464\">{wrong}</text>\n\
+             <text x=\"{x}\" y=\"{}\" fill=\"#646464\">{depth}</text>\n\
              <image x=\"{x}\" y=\"{}\" width=\"{width}\" height=\"{height}\" \
              style=\"image-rendering: pixelated\" href=\"{}\"/>\n",
             y + 16,
             row.name,
             row.known_as,
             y + 33,
+            y + 50,
             y + TITLE,
             map.uri()?
         );
