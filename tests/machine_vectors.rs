@@ -68,6 +68,55 @@ fn every_machine_has_a_golden_set() {
     }
 }
 
+/// Quadrilaterals and homogeneous triangles have benches on the machines that draw them, and a rule
+/// or a rounding that differs is named.
+#[test]
+fn quadrilaterals_and_homogeneous_triangles_have_golden_sets() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (machine, kind, has_depth) in
+        [("gouraud", "quad", true), ("scanline", "quad", false), ("homogeneous", "clip", true)]
+    {
+        let mut profile = load("sgi-4k").unwrap().with_machine(machine).unwrap();
+        profile.window = WindowConfig { width: 64, height: 64 };
+        write(folder, &profile);
+        let rows = |file: &str| {
+            let path = folder.join("set").join(file);
+            std::fs::read_to_string(path).map_or(0, |text| text.lines().count())
+        };
+        assert!(rows(&format!("{kind}.cfg.tv")) > 10 && rows(&format!("{kind}.exp.tv")) > 100);
+        assert_eq!(rows(&format!("{kind}-depth.exp.tv")) > 100, has_depth, "{machine}");
+        let class = if kind == "quad" { "concave" } else { "behind" };
+        let test = format!("{kind}/{class}/0");
+        let traced = good(folder, &["trace", "profile.toml", "--test", &test]);
+        assert!(traced.contains(kind) && traced.contains(".cfg"), "{traced}");
+        let mut wrong = profile.clone();
+        let cause = match &mut wrong.form {
+            guardbit::profile::Form::Gouraud(_) => {
+                wrong.depth.as_mut().unwrap().rounding = guardbit::bits::Rounding::Floor;
+                "depth.rounding is floor"
+            }
+            guardbit::profile::Form::Scanline(scanline) => {
+                scanline.rule = guardbit::cover::FillRule::Shadow;
+                "form.scanline.rule is shadow"
+            }
+            guardbit::profile::Form::Homogeneous(machine) => {
+                machine.rule = guardbit::cover::FillRule::Shadow;
+                "form.homogeneous.rule is shadow"
+            }
+            other => panic!("{}", other.name()),
+        };
+        std::fs::write(folder.join("wrong.toml"), wrong.to_toml()).unwrap();
+        good(folder, &["vectors", "wrong.toml", "--out", "wrong", "--count", "3000", "--force"]);
+        let file = if machine == "gouraud" { "quad-depth" } else { kind };
+        let dump = format!("wrong/{file}.exp.tv");
+        let ran = guardbit(folder, &["verify", "set", "--dut", &dump, "--errors", "1"]);
+        let text = String::from_utf8_lossy(&ran.stdout).into_owned();
+        assert_eq!(ran.status.code(), Some(1), "{machine}: {text}");
+        assert!(text.contains(cause), "{machine}: {text}");
+    }
+}
+
 /// Lines and points have benches where a profile states their rules, and another rule is named.
 #[test]
 fn lines_and_points_have_golden_sets() {
@@ -82,7 +131,7 @@ fn lines_and_points_have_golden_sets() {
         );
     }
     let traced = good(folder, &["trace", "profile.toml", "--test", "line/octants/1"]);
-    assert!(traced.contains("line from ("), "{traced}");
+    assert!(traced.contains("line ("), "{traced}");
     let mut wrong = profile.clone();
     wrong.line = Some(LineConfig { rule: LineRule::DiamondVulkan, stipple: None });
     wrong.point = Some(PointConfig::default());

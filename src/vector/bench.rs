@@ -2,12 +2,12 @@
 //! way to emit any test alone. Spec clauses `N-2` to `N-4`.
 
 mod coverage;
-mod line;
+mod shape;
 mod triangle;
 mod walk;
 
 pub use coverage::{Cell, Coverage, Shape};
-pub use line::LineBench;
+pub use shape::{ShapeBench, ShapeKind};
 pub use triangle::TriangleBench;
 pub use walk::{Quirk, WalkBench, WalkKind};
 
@@ -115,7 +115,7 @@ impl Source {
         }
         benches.push(Box::new(TriangleBench::setup(self)));
         benches.push(Box::new(TriangleBench::triangle(self)));
-        for bench in [LineBench::line(self), LineBench::point(self)].into_iter().flatten() {
+        for bench in ShapeKind::ALL.into_iter().filter_map(|kind| ShapeBench::new(kind, self)) {
             benches.push(Box::new(bench));
         }
         benches
