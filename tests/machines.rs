@@ -629,3 +629,99 @@ fn the_quickest_path_writes_what_is_drawn() {
         }
     }
 }
+
+/// Clauses: the set-up words of the machines are exact values, rounded once.
+#[test]
+fn set_up_words_are_exact_values_rounded_once() {
+    use guardbit::exact::{
+        dyadic, edge_value, edge_x, integer, plane_slopes, plane_word, ratio, round,
+    };
+    let mut base = load("sgi-4k").unwrap();
+    base.window = guardbit::profile::WindowConfig { width: 64, height: 64 };
+    let (grid, depth) = (base.grid().unwrap(), base.depth.unwrap());
+    let number = |value| i128::try_from(value).unwrap();
+    for index in 0..300 {
+        let mut words = Words::new(51, 2, index);
+        let mut at = || [words.between(0, 65_536), words.between(0, 65_536)];
+        let xy = [at(), at(), at()];
+        let z = [(); 3].map(|()| words.between(0, (1 << 24) - 1));
+        let triangle = Triangle { xy, z: Some(z) }.normalised();
+        if triangle.area2() == 0 {
+            continue;
+        }
+        let (v, z) = (triangle.xy, triangle.z.unwrap());
+        for name in ["gouraud", "barycentric", "homogeneous", "scanline"] {
+            let profile = base.with_machine(name).unwrap();
+            let model = Model::new(&profile).unwrap();
+            let got = draw(&model, &triangle).setup;
+            assert_eq!(got.len(), model.ports().setup.len());
+            let mut wanted = Vec::new();
+            for k in 0..3 {
+                let (a, b) = (v[k], v[(k + 1) % 3]);
+                let (za, zb) = (z[k], z[(k + 1) % 3]);
+                let ((top, zt), (bottom, zl)) =
+                    if a[1] <= b[1] { ((a, za), (b, zb)) } else { ((b, zb), (a, za)) };
+                let dy = bottom[1] - top[1];
+                match profile.form {
+                    Form::Gouraud(walk) => {
+                        let reached = |y: i128| (y - 512 + 1023).div_euclid(1024);
+                        let (first, end) = (reached(top[1]), reached(bottom[1]));
+                        if first >= end {
+                            wanted.extend([0; 6]);
+                            continue;
+                        }
+                        let row = grid.position(0, first)[1];
+                        let x = edge_x(top, bottom, row).unwrap();
+                        let unit = dyadic(1 << walk.fraction, 10);
+                        let slope = ratio(bottom[0] - top[0], dy).unwrap();
+                        let along = ratio(row - top[1], dy).unwrap();
+                        let depth_unit = integer(1 << depth.interpolation);
+                        let start = integer(zt) + along * integer(zl - zt);
+                        let fall = ratio((zl - zt) * 1024, dy).unwrap();
+                        wanted.extend([
+                            number(round(&(x * unit), walk.rounding)),
+                            number(round(&(slope * integer(1 << walk.fraction)), walk.rounding)),
+                            first,
+                            end,
+                            number(round(&(start * &depth_unit), depth.rounding)),
+                            number(round(&(fall * &depth_unit), depth.rounding)),
+                        ]);
+                    }
+                    Form::Scanline(_) => {
+                        wanted.extend([top[0], top[1], bottom[0] - top[0], dy]);
+                    }
+                    Form::Homogeneous(_) => {
+                        let e = |p: [i128; 2]| number(edge_value(a, b, p).to_integer());
+                        let c = e([0, 0]);
+                        wanted.extend([e([1, 0]) - c, e([0, 1]) - c, c]);
+                    }
+                    Form::Barycentric(_) => {
+                        let owns = b[1] < a[1] || (b[1] == a[1] && b[0] > a[0]);
+                        let e = |x, y| number(edge_value(a, b, grid.position(x, y)).to_integer());
+                        let first = e(0, 0) - i128::from(!owns);
+                        let steps = [e(1, 0) - e(0, 0), e(0, 1) - e(0, 0)].map(|step| step >> 10);
+                        wanted.extend([first >> 10, steps[0], steps[1]]);
+                    }
+                    other => panic!("{}", other.name()),
+                }
+            }
+            let mut plane = |weights: [i128; 3], bits: u32, rounding: Rounding| {
+                let start = plane_word(v, weights, grid.offset, bits, rounding).unwrap();
+                let slopes = plane_slopes(v, weights).unwrap();
+                let unit = integer(1 << (bits + 10));
+                let slopes = slopes.map(|slope| number(round(&(slope * &unit), rounding)));
+                wanted.extend([start, slopes[0], slopes[1]]);
+            };
+            match profile.form {
+                Form::Barycentric(machine) => {
+                    plane([0, 1, 0], machine.coordinate, machine.rounding);
+                    plane([0, 0, 1], machine.coordinate, machine.rounding);
+                    wanted.extend([z[0], z[1] - z[0], z[2] - z[0]]);
+                }
+                Form::Gouraud(_) => {}
+                _ => plane(z, depth.interpolation, depth.rounding),
+            }
+            assert_eq!(got, wanted, "{name} {triangle:?}");
+        }
+    }
+}

@@ -2,12 +2,13 @@
 //! lines of rational arithmetic elsewhere, before it was accepted.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use guardbit::bits::{RunTime, Width as _, Word, hex};
+use guardbit::bits::{Rounding, RunTime, Width as _, Word, hex};
+use guardbit::cover::{LineConfig, LineRule, Rect, SampleGrid, Start, Stipple, Tie};
 use guardbit::dda::{Op, Walker};
 use guardbit::format::{Clamp, ReadOut};
 use guardbit::model::{Drawing, Model, View};
-use guardbit::profile::load;
-use guardbit::setup::Triangle;
+use guardbit::profile::{Profile, load};
+use guardbit::setup::{Polygon, Triangle};
 use std::fmt::Write as _;
 
 /// Value, pattern and read-out of every pattern, lowest value of the guard range first.
@@ -66,11 +67,12 @@ fn a_walk_out_and_back() {
 
 /// Set-up words as a vector file has them: name, width, hexadecimal.
 fn setup_words(profile: &str, triangle: Triangle) -> String {
-    let model = Model::with_view(
-        &load(profile).unwrap(),
-        View { window: Some((128, 128)), ..View::default() },
-    )
-    .unwrap();
+    setup_words_of(&load(profile).unwrap(), triangle)
+}
+
+fn setup_words_of(profile: &Profile, triangle: Triangle) -> String {
+    let view = View { window: Some((128, 128)), ..View::default() };
+    let model = Model::with_view(profile, view).unwrap();
     let mut drawing = Drawing::default();
     model.draw(&triangle, &mut drawing).unwrap();
     let mut text = String::new();
@@ -167,4 +169,78 @@ fn small_pictures() {
     insta::assert_snapshot!("fan", text);
     let walked: Vec<_> = fan.iter().map(|t| t.map(|v| v.map(|c| c * 4))).collect();
     insta::assert_snapshot!("fan", picture("sgi-4k-walk", (14, 12), &walked).0);
+}
+
+// Clauses
+#[test]
+fn set_up_words_of_machines() {
+    let base = load("sgi-4k").unwrap();
+    for machine in ["gouraud", "barycentric", "homogeneous", "scanline"] {
+        let profile = base.with_machine(machine).unwrap();
+        insta::assert_snapshot!(format!("setup_{machine}"), setup_words_of(&profile, named(10)));
+    }
+}
+
+/// Sixteen lines out of the middle of a window, some through ties, by one rule.
+fn star(config: LineConfig) -> String {
+    let grid = SampleGrid { offset: [2, 2], sub_pixel: 2 };
+    let clip = Rect { x0: 0, y0: 0, x1: 33, y1: 33 };
+    let mut cells = vec![vec!['.'; 33]; 33];
+    let ends: [[i128; 2]; 8] =
+        [[15, 0], [14, 7], [15, 10], [13, 13], [7, 14], [0, 15], [-10, 15], [-14, 7]];
+    for (letter, [x, y]) in ('a'..).zip(ends.into_iter().chain(ends.map(|[x, y]| [-x, -y]))) {
+        // From pixel centre to pixel centre.
+        let at = |dx: i128, dy: i128| [(16 + dx) * 4 + 2, (16 + dy) * 4 + 2];
+        let near = [x.signum() * 3, y.signum() * 3];
+        config.pixels([at(near[0], near[1]), at(x, y)], &grid, clip, &mut |x, y| {
+            let cell = &mut cells[y as usize][x as usize];
+            *cell = if *cell == '.' { letter } else { '!' };
+        });
+    }
+    cells.iter().map(|row| row.iter().collect::<String>() + "\n").collect()
+}
+
+// Clauses L-1, L-2, L-4, L-5, L-7
+#[test]
+fn lines_by_rule() {
+    for (name, rule) in [
+        ("d3d", LineRule::DiamondD3d),
+        ("vulkan", LineRule::DiamondVulkan),
+        ("bresenham", LineRule::Bresenham),
+        ("north_east", LineRule::Midpoint { tie: Tie::NorthEast }),
+        ("floored", LineRule::IntegerIncremental { start: Start::Zero }),
+        ("two_bits", LineRule::Incremental { fraction: 2, rounding: Rounding::NearestEven }),
+        ("wide", LineRule::Rectangle { width: 8 }),
+    ] {
+        insta::assert_snapshot!(format!("star_{name}"), star(LineConfig { rule, stipple: None }));
+    }
+    let stipple = Some(Stipple { pattern: 0b11, factor: 2 });
+    insta::assert_snapshot!(
+        "star_stipple",
+        star(LineConfig { rule: LineRule::Bresenham, stipple })
+    );
+}
+
+// Clauses Y-1, Y-2
+#[test]
+fn polygons_by_parity() {
+    let profile = load("sgi-4k").unwrap().with_machine("scanline").unwrap();
+    let view = View { window: Some((24, 12)), ..View::default() };
+    let model = Model::with_view(&profile, view).unwrap();
+    let mut cells = vec![vec!['.'; 24]; 12];
+    let shapes: [&[[i128; 2]]; 3] = [
+        &[[0, 0], [7, 11], [7, 0], [0, 11]],
+        &[[8, 0], [12, 4], [16, 0], [16, 11], [8, 11]],
+        &[[20, 0], [23, 11], [16, 4], [24, 4], [17, 11]],
+    ];
+    for (letter, shape) in ('a'..).zip(shapes) {
+        let xy = shape.iter().map(|p| p.map(|c| c * 1024)).collect();
+        let mut drawing = Drawing::default();
+        model.draw_polygon(&Polygon { xy, z: None }, &mut drawing).unwrap();
+        for span in &drawing.spans {
+            cells[span.y as usize][span.x0 as usize..span.x1 as usize].fill(letter);
+        }
+    }
+    let text: String = cells.iter().map(|row| row.iter().collect::<String>() + "\n").collect();
+    insta::assert_snapshot!("polygons", text);
 }
