@@ -180,10 +180,16 @@ fn pictures_are_written_whole_or_not_at_all() {
 
 #[test]
 fn nonsense_is_refused_with_what_to_do() {
+    let folder = tempfile::tempdir().unwrap();
+    let outside = folder.path().join("outside.jsonl");
+    std::fs::write(&outside, "{\"v\": [[0,0],[9999999999,0],[0,5]]}\n").unwrap();
+    let outside = outside.to_str().unwrap();
     for (arguments, status, hint) in [
         (&["--machines", "pineda"][..], 2, "edge-function"),
         (&["--stamp", "3x3"], 2, "1x1"),
         (&["--scene", "nothing"], 2, "knot"),
+        (&["--scene", outside, "--no-time"], 2, "nothing left to draw"),
+        (&["--scene", outside, "--no-time"], 2, "1 triangles left out"),
         (&["--window", "0x5"], 2, "1 to 65536"),
         (&["--show", "traversal", "--svg", "x.svg"], 2, "machines"),
         (&["missing.toml"], 3, "missing.toml"),

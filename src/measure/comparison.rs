@@ -115,6 +115,8 @@ pub struct Comparison {
     pub window: [u32; 2],
     /// Triangles with an area.
     pub triangles: usize,
+    /// Triangles left out: a vertex outside the vertex field, or behind the camera.
+    pub refused: u64,
     /// Samples that they cover, hits counted one by one.
     pub samples: u64,
     /// A row a machine.
@@ -129,6 +131,7 @@ pub struct Compared {
     reference: Reference,
     profile: Profile,
     stages: Vec<(Rule, Stage)>,
+    dropped: u64,
     saved: Vec<Saved>,
 }
 
@@ -152,8 +155,9 @@ impl Compared {
         if let Some(multisample) = profile.multisample.take() {
             saved.push(without_samples(&profile, multisample.samples)?);
         }
+        let dropped = scene.dropped as u64;
         let reference = Reference::new(scene, &profile);
-        Ok(Self { reference, profile, stages: Vec::new(), saved })
+        Ok(Self { reference, profile, stages: Vec::new(), dropped, saved })
     }
 
     /// The profile as compared.
@@ -201,6 +205,7 @@ impl Compared {
             scene: self.reference.name.clone(),
             window: [self.profile.window.width, self.profile.window.height],
             triangles: stage.map_or(0, |stage| stage.faces.len()),
+            refused: stage.map_or(0, |stage| stage.snap.refused) + self.dropped,
             samples: stage.map_or(0, |stage| stage.samples),
             machines,
             saved: self.saved,

@@ -17,6 +17,16 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
         let mut made = compared(scene, &profile)?;
         write_text(path, &picture::machines(&mut made, &comparison)?)?;
     }
+    if comparison.refused > 0 {
+        eprintln!(
+            "note: {}: {} triangles left out: a vertex outside the vertex field, or behind the camera",
+            comparison.scene, comparison.refused
+        );
+    }
+    if comparison.triangles == 0 {
+        return Err(Failure::input(format!("{}: nothing left to draw", comparison.scene))
+            .hint("choose another --scene or a profile with a larger vertex field"));
+    }
     let mut output = Output::new();
     if arguments.json {
         output.json(&comparison)?;
