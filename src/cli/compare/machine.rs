@@ -13,10 +13,6 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
     let made = compared(scene, &profile)?;
     let comparison =
         interruptible(|go_on| made.measure(&names, timed, go_on).map_err(Failure::input))?;
-    if let Some((path, scene)) = svg {
-        let mut made = compared(scene, &profile)?;
-        write_text(path, &picture::machines(&mut made, &comparison)?)?;
-    }
     if comparison.refused > 0 {
         eprintln!(
             "note: {}: {} triangles left out: a vertex outside the vertex field, or behind the camera",
@@ -26,6 +22,10 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
     if comparison.triangles == 0 {
         return Err(Failure::input(format!("{}: nothing left to draw", comparison.scene))
             .hint("choose another --scene or a profile with a larger vertex field"));
+    }
+    if let Some((path, scene)) = svg {
+        let mut made = compared(scene, &profile)?;
+        write_text(path, &picture::machines(&mut made, &comparison)?)?;
     }
     let mut output = Output::new();
     if arguments.json {
@@ -62,7 +62,7 @@ fn columns(cells: [&str; 11]) -> String {
 }
 
 fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<(), Failure> {
-    let Comparison { scene, window, triangles, samples, machines, saved } = comparison;
+    let Comparison { scene, window, triangles, samples, machines, saved, .. } = comparison;
     output.line(format!(
         "{scene} through {profile}: {} x {}, {triangles} triangles, {samples} samples",
         window[0], window[1]
