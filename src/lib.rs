@@ -71,6 +71,7 @@ mod spec {
         Measures "12-measures.md", Search "13-search.md",
         Lines "14-lines.md", Polygons "15-polygons.md", Depth "16-depth.md",
         Interpolation "17-interpolation.md",
-        Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md"
+        Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md",
+        Hardware "21-hardware.md"
     );
 }

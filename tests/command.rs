@@ -185,9 +185,9 @@ fn waves_hold_the_rows_of_the_test() {
         let (signals, samples) = waves(&home.path().join("a.vcd"));
         let names: Vec<&str> = signals.iter().map(|(name, _)| name.as_str()).collect();
         let expected = if test.starts_with("dda") {
-            ["clk", "init", "dx", "dy", "op", "acc", "out"]
+            ["clk", "init", "dx", "dy", "op", "acc", "out_v"]
         } else {
-            ["clk", "e0", "ea", "eb", "op", "e", "in"]
+            ["clk", "e0", "ea", "eb", "op", "e", "in_v"]
         };
         assert_eq!(names, expected);
         // One clock a row: up at its start, down in its middle.

@@ -1,6 +1,4 @@
-//! Trials that need a program from outside. Where it is missing they count as ignored, with the
-//! reason in their name; with `GUARDBIT_REQUIRE_TOOLS=1` a missing program is a
-//! failure, with `GUARDBIT_REQUIRE_HDL=1` a missing hardware tool.
+//! Trials that need a program from outside; without it they count as ignored.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "tools/prover.rs"]
@@ -9,40 +7,51 @@ mod prover;
 mod run;
 #[path = "tools/slurm.rs"]
 mod slurm;
+#[path = "support/tool.rs"]
+mod tool;
 
 use guardbit::measure::cost::{YOSYS, estimate, synthesise};
 use guardbit::profile;
-use libtest_mimic::{Arguments, Failed, Trial};
+use libtest_mimic::Arguments;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
-
-/// A program that this crate does not bring.
-struct Tool {
-    name: &'static str,
-    /// The names it may have on the search path.
-    programs: &'static [&'static str],
-    /// What asks it for its version.
-    version: &'static str,
-    /// What to install.
-    package: &'static str,
-}
+use tool::Tool;
 
 const CHROMIUM: Tool = Tool {
     name: "chromium",
     programs: &["chromium", "chromium-browser", "google-chrome"],
     version: "--version",
-    package: "chromium",
+    hardware: false,
+    package: "apt-get install chromium",
 };
-const SYNTHESIS: Tool = Tool { name: "yosys", programs: &[YOSYS], version: "-V", package: "yosys" };
-const Z3: Tool = Tool { name: "z3", programs: &["z3"], version: "--version", package: "z3" };
-const GAPPA: Tool =
-    Tool { name: "gappa", programs: &["gappa"], version: "--version", package: "gappa" };
+const SYNTHESIS: Tool = Tool {
+    name: "yosys",
+    programs: &[YOSYS],
+    version: "-V",
+    hardware: true,
+    package: "apt-get install yosys",
+};
+const Z3: Tool = Tool {
+    name: "z3",
+    programs: &["z3"],
+    version: "--version",
+    hardware: false,
+    package: "apt-get install z3",
+};
+const GAPPA: Tool = Tool {
+    name: "gappa",
+    programs: &["gappa"],
+    version: "--version",
+    hardware: false,
+    package: "apt-get install gappa",
+};
 const SHELLCHECK: Tool = Tool {
     name: "shellcheck",
     programs: &["shellcheck"],
     version: "--version",
-    package: "shellcheck",
+    hardware: false,
+    package: "apt-get install shellcheck",
 };
 /// Its packages bring the programs of a node, of a user and of munge, too.
 const SLURM: Tool = Tool {
@@ -50,35 +59,9 @@ const SLURM: Tool = Tool {
     // Daemons are not on every user's search path.
     programs: &["slurmctld", "/usr/sbin/slurmctld"],
     version: "-V",
-    package: "slurmctld slurmd slurm-client munge",
+    hardware: false,
+    package: "apt-get install slurmctld slurmd slurm-client munge",
 };
-
-impl Tool {
-    /// The first of its programs that this machine has.
-    fn program(&self) -> Option<&'static str> {
-        self.programs.iter().copied().find(|program| {
-            let mut command = Command::new(program);
-            command.arg(self.version).stdin(Stdio::null());
-            command.output().is_ok_and(|output| output.status.success())
-        })
-    }
-
-    /// A trial that is run with the tool's program.
-    fn trial(&self, name: &str, test: fn(&str)) -> Trial {
-        let Some(program) = self.program() else {
-            let reason = format!("{} is missing: apt-get install {}", self.name, self.package);
-            let set = |name| std::env::var_os(name).is_some_and(|value| value == "1");
-            let hardware = self.name == SYNTHESIS.name && set("GUARDBIT_REQUIRE_HDL");
-            let required = hardware || set("GUARDBIT_REQUIRE_TOOLS");
-            let name = format!("{name} ({reason})");
-            return Trial::test(name, || Err(Failed::from(reason))).with_ignored_flag(!required);
-        };
-        Trial::test(name, move || {
-            test(program);
-            Ok(())
-        })
-    }
-}
 
 fn main() {
     let trials = vec![

@@ -126,6 +126,11 @@ fn compare(
             }
         }
     }
+    if report.lost {
+        output.line(
+            "all rows that came agree: rows are lost on the way, as by a stream that does not wait",
+        )?;
+    }
     output.flush()?;
     Ok(Outcome::Mismatch)
 }

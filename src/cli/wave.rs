@@ -4,6 +4,7 @@ use fst_writer::{
     FstFileType, FstInfo, FstScopeType, FstSignalType, FstVarDirection, FstVarType, open_fst,
 };
 use guardbit::vector::bench::FileSpec;
+use guardbit::vector::package::identifier;
 use std::fs::File;
 use std::io::{BufWriter, Error, Result, Write};
 use std::path::Path;
@@ -15,9 +16,9 @@ type Files = [(FileSpec, Vec<Vec<u128>>)];
 /// Time units a clock: the edge falls in its middle.
 const CLOCK: u64 = 10;
 
-/// A column as a signal, and its word at each clock; configuration holds its first row.
+/// A column as a signal under its name in the generated benches, and its word at each clock; configuration holds its first row.
 struct Signal<'a> {
-    name: &'a str,
+    name: String,
     width: u32,
     rows: &'a [Vec<u128>],
     column: usize,
@@ -45,8 +46,9 @@ fn signals(files: &Files) -> (Vec<Signal<'_>>, usize) {
         }
         for (column, shape) in spec.columns.iter().enumerate() {
             // What varies is worth more than what stands still under the same name.
-            list.retain(|signal| signal.name != shape.name);
-            list.push(Signal { name: &shape.name, width: shape.width, rows, column });
+            let name = identifier(&shape.name);
+            list.retain(|signal| signal.name != name);
+            list.push(Signal { name, width: shape.width, rows, column });
         }
     }
     (list, clocks)
@@ -57,11 +59,11 @@ pub(crate) fn vcd(path: &Path, module: &str, files: &Files) -> Result<()> {
     let (signals, clocks) = signals(files);
     let mut writer = vcd::Writer::new(BufWriter::new(File::create(path)?));
     writer.timescale(1, TimescaleUnit::NS)?;
-    writer.add_module(module)?;
+    writer.add_module(&identifier(module))?;
     let clock = writer.add_wire(1, "clk")?;
     let mut ids = Vec::new();
     for signal in &signals {
-        ids.push(writer.add_var(VarType::Reg, signal.width, signal.name, None)?);
+        ids.push(writer.add_var(VarType::Reg, signal.width, &signal.name, None)?);
     }
     writer.upscope()?;
     writer.enddefinitions()?;
@@ -101,7 +103,8 @@ fn write_fst(path: &Path, module: &str, files: &Files) -> fst_writer::Result<()>
         file_type: FstFileType::Verilog,
     };
     let mut header = open_fst(path, &info)?;
-    header.scope(module, module, FstScopeType::Module)?;
+    let module = identifier(module);
+    header.scope(&module, &module, FstScopeType::Module)?;
     let mut var = |name: &str, width| {
         let (kind, direction) = (FstVarType::Reg, FstVarDirection::Implicit);
         header.var(name, FstSignalType::bit_vec(width), kind, direction, None)
@@ -109,7 +112,7 @@ fn write_fst(path: &Path, module: &str, files: &Files) -> fst_writer::Result<()>
     let clock = var("clk", 1)?;
     let ids: Vec<_> = signals
         .iter()
-        .map(|signal| var(signal.name, signal.width))
+        .map(|signal| var(&signal.name, signal.width))
         .collect::<fst_writer::Result<_>>()?;
     header.up_scope()?;
     let mut body = header.finish()?;

@@ -64,6 +64,11 @@ impl Walker {
         }
     }
 
+    /// Other words at the inputs; the accumulator stays as it is.
+    pub fn rewire(&mut self, start: i128, dx: i128, dy: i128) {
+        *self = Self { accumulator: self.accumulator, ..Self::new(self.read, start, dx, dy) };
+    }
+
     /// One clock edge.
     #[inline]
     pub fn clock(&mut self, op: Op) {

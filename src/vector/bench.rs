@@ -3,13 +3,14 @@
 
 mod coverage;
 mod shape;
+mod slip;
 mod triangle;
 mod walk;
 
 pub use coverage::{Cell, Coverage, Shape};
 pub use shape::{ShapeBench, ShapeKind};
 pub use triangle::TriangleBench;
-pub use walk::{Quirk, WalkBench, WalkKind};
+pub use walk::{WalkBench, WalkKind};
 
 use super::table::Table;
 use crate::case::Class;

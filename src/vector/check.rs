@@ -208,13 +208,15 @@ pub fn difference(found: &Profile, believed: &Profile) -> String {
     }
 }
 
-/// Vector files in the folder that the manifest does not list.
+/// Vector files in the folder that the manifest does not list. What a bench dumps beside them,
+/// `*.dut.tv`, is none.
 fn strange_vectors(set: &OpenSet) -> Result<Vec<Finding>, CheckError> {
     let mut findings = Vec::new();
     for entry in std::fs::read_dir(&set.folder).map_err(io(&set.folder))?.filter_map(Result::ok) {
         let name = entry.file_name().to_string_lossy().into_owned();
         let vectors = [".exp.", ".cfg.", ".testfloat"].iter().any(|part| name.contains(part));
-        if vectors && !set.manifest.files.iter().any(|file| file.name == name) {
+        let dumped = name.ends_with(".dut.tv");
+        if vectors && !dumped && !set.manifest.files.iter().any(|file| file.name == name) {
             let message = "a vector file that the manifest does not list".to_owned();
             findings.push(Finding { file: entry.path(), line: None, message });
         }

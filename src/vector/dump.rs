@@ -64,6 +64,8 @@ pub struct DumpReport {
     pub causes: Vec<String>,
     /// How many single changes were tried.
     pub tried: usize,
+    /// Whether every row that came agrees and no change explains those that are missing.
+    pub lost: bool,
     /// Whether the dump ends before the set does.
     pub short: bool,
     /// Whether anything disagrees beside the rows missing from the end.
@@ -119,7 +121,8 @@ pub fn compare(
     let mut report = compare::against(&subject, dump, most)?;
     report.file = format!("{}.tv", subject.spec.stem);
     if report.disagrees {
-        (report.causes, report.tried) = explain::causes(&subject, dump, report.short)?;
+        let causes = explain::causes(&subject, dump, report.short)?;
+        (report.causes, report.tried, report.lost) = (causes.named, causes.tried, causes.lost);
     }
     Ok(report)
 }

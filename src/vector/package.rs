@@ -10,6 +10,8 @@ mod c;
 mod half;
 mod keyword;
 mod record;
+mod rtl;
+mod stream;
 mod systemverilog;
 mod template;
 mod verilog;
@@ -18,7 +20,9 @@ mod vhdl;
 #[cfg(test)]
 mod test;
 
+use crate::bits::Rounding;
 use crate::format::Column;
+pub use keyword::identifier;
 use record::Record;
 
 /// One data file of a set: its name, how many records it holds and what a record is made of.
@@ -47,6 +51,27 @@ pub struct ClampParameters {
     pub mode: String,
 }
 
+/// Set-up by edge functions and an exact quotient, as `triangle_setup` does it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SetupParameters {
+    /// Whether coordinates are signed.
+    pub signed: bool,
+    /// Sub-pixel bits.
+    pub sub_pixel: u32,
+    /// The sample in its pixel, in sub-pixels.
+    pub sample: [i128; 2],
+    /// The shadow rule instead of top-left.
+    pub shadow: bool,
+    /// Low bits of an edge value that are not kept.
+    pub shift: u32,
+    /// Bits of an edge word.
+    pub edge: u32,
+    /// Rounding of the start and of each slope.
+    pub rounding: Rounding,
+    /// Whether the start gains half a depth step.
+    pub half: bool,
+}
+
 /// Everything the generated files depend on; equal interfaces give equal text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interface {
@@ -57,12 +82,14 @@ pub struct Interface {
     /// Read-out of the depth machine. Where the set has a `dda` pair, `acc` is
     /// `guard + integer + fraction` bits wide and `out` is `integer` bits wide.
     pub clamp: ClampParameters,
+    /// Set-up, where the devices that this crate brings can do it.
+    pub setup: Option<SetupParameters>,
     /// The data files, in the order they are described.
     pub files: Vec<FileLayout>,
 }
 
 /// Names and texts of the generated files, in a fixed order: `pkg.sv`, `pkg.vh`, `pkg.vhd`,
-/// `pkg.h`, `tb.sv`, `dut.sv`, `tb.vhd`, `dut.vhd`.
+/// `pkg.h`, `tb.sv`, `dut.sv`, `tb.vhd`, `dut.vhd`, `tb_cocotb.py`.
 ///
 /// The benches check the pairs `dda.cfg.tv` with `dda.exp.tv` and `edge.cfg.tv` with
 /// `edge.exp.tv`. A pair that is missing, or lacks one of its fixed columns, is left out; with
@@ -81,6 +108,7 @@ pub fn files(interface: &Interface) -> Vec<(String, String)> {
         ("dut.sv", bench::systemverilog_device(interface, &records)),
         ("tb.vhd", bench::vhdl(interface, &records)),
         ("dut.vhd", bench::vhdl_device(interface, &records)),
+        ("tb_cocotb.py", bench::cocotb(interface)),
     ]
     .map(|(name, text)| (name.to_owned(), text))
     .to_vec()

@@ -4,19 +4,19 @@
 -- no generics needed. Run from inside the set folder:
 --     $ ghdl -a --std=08 pkg.vhd dut.vhd tb.vhd && ghdl -e --std=08 tb && ghdl -r --std=08 tb
 
--- Walks a plane: start, then steps of dx or dy, with a read-out of the integer bits that the
--- guard bits clamp. The accumulator wraps; only CLAMP_SATURATE writes the clamp back to it.
+-- Digital differential analyzer with a guard clamp: an accumulator, two slopes, and a read-out of
+-- the integer bits. The accumulator wraps; only SATURATE writes the clamp back to it.
+-- Spec: words W, walks D, guard clamp G.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use work.guardbit_pkg.all;
 
 entity dda is
     generic (
-        G    : natural  := GUARD_BITS;
-        I    : positive := INTEGER_BITS;
-        F    : natural  := FRACTION_BITS;
-        MODE : clamp_t  := CLAMP_MODE
+        G    : natural := 1;   -- guard bits
+        I    : natural := 3;  -- integer bits, the width of the read-out
+        F    : natural := 3;  -- interpolation bits
+        MODE : natural := 1    -- read-out: 0 wrap, 1 guard, 2 sign, 3 saturate
     );
     port (
         clk   : in  std_logic;
@@ -31,11 +31,14 @@ entity dda is
 end entity dda;
 
 architecture rtl of dda is
-    constant N : positive := G + I + F;
+    constant GUARD : natural := 1;
+    constant SIGN : natural := 2;
+    constant SATURATE : natural := 3;
+    constant N : natural := G + I + F;
     -- Two bits more than the accumulator hold any sum of it and a signed step.
     subtype sum_t is signed(N + 1 downto 0);
     constant LIMIT : sum_t := shift_left(to_signed(1, N + 2), I + F);
-    -- The guard and integer bits as a pattern, one bit more for the bounds. CLAMP_GUARD splits the
+    -- The guard and integer bits as a pattern, one bit more for the bounds. GUARD splits the
     -- patterns above the integer range in the middle: the lower half has come from above, the
     -- upper from below.
     subtype pattern_t is unsigned(G + I downto 0);
@@ -50,18 +53,18 @@ begin
         if rising_edge(clk) then
             sum := signed("00" & state);
             case op is
-                when OP_LOAD =>
+                when "00" =>
                     sum := resize(signed(init), N + 2);
                     if G = 0 then
                         sum := signed("00" & init);
                     end if;
-                when OP_STEP_X => sum := sum + signed(dx);
-                when OP_STEP_Y => sum := sum + signed(dy);
+                when "01" => sum := sum + signed(dx);
+                when "10" => sum := sum + signed(dy);
                 when others => null;
             end case;
-            if MODE = CLAMP_SATURATE and sum < 0 then
+            if MODE = SATURATE and sum < 0 then
                 sum := (others => '0');
-            elsif MODE = CLAMP_SATURATE and sum >= LIMIT then
+            elsif MODE = SATURATE and sum >= LIMIT then
                 sum := LIMIT - 1;
             end if;
             if rst = '1' then
@@ -77,11 +80,11 @@ begin
     begin
         u := '0' & state(N - 1 downto F);
         out_v <= std_logic_vector(u(I - 1 downto 0));
-        if MODE = CLAMP_GUARD and u >= MIDDLE and u >= WHOLE then
+        if MODE = GUARD and u >= MIDDLE and u >= WHOLE then
             out_v <= (others => '0');
-        elsif MODE = CLAMP_SIGN and state(N - 1) = '1' then
+        elsif MODE = SIGN and state(N - 1) = '1' then
             out_v <= (others => '0');
-        elsif (MODE = CLAMP_GUARD or MODE = CLAMP_SIGN) and u >= WHOLE then
+        elsif (MODE = GUARD or MODE = SIGN) and u >= WHOLE then
             out_v <= (others => '1');
         end if;
     end process read_out;
@@ -89,14 +92,15 @@ begin
     acc <= std_logic_vector(state);
 end architecture rtl;
 
--- Walks an edge function: start, then steps of its two coefficients; inside is a clear sign bit.
+-- Edge function stepper: a word and its two steps; inside is a clear sign bit. Spec: edges E and C.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use work.guardbit_pkg.all;
 
 entity edge_stepper is
-    generic (M : positive := EDGE_EXP_E_WIDTH);
+    generic (
+        M    : natural := 6   -- bits of an edge word
+    );
     port (
         clk  : in  std_logic;
         rst  : in  std_logic;
@@ -119,9 +123,9 @@ begin
                 state <= (others => '0');
             else
                 case op is
-                    when OP_LOAD => state <= unsigned(e0);
-                    when OP_STEP_X => state <= state + unsigned(ea);
-                    when OP_STEP_Y => state <= state + unsigned(eb);
+                    when "00" => state <= unsigned(e0);
+                    when "01" => state <= state + unsigned(ea);
+                    when "10" => state <= state + unsigned(eb);
                     when others => null;
                 end case;
             end if;

@@ -4,7 +4,9 @@
 // file and compares every row. Run from inside the set folder:
 //     $ iverilog -g2012 -o sim.vvp pkg.sv dut.sv tb.sv && vvp -n sim.vvp
 //     $ verilator --binary -O3 -Wno-fatal --top-module tb pkg.sv dut.sv tb.sv -o sim && obj_dir/sim
-// It ends with a PASS line, or with a FAIL line and a non-zero exit status.
+// It ends with a PASS line, or with a FAIL line and a non-zero exit status. More, after the
+// simulation's name: +dump writes what the devices answer to *.exp.dut.tv, for `guardbit verify
+// --dut`; +vcd=FILE writes waves (Verilator needs --trace when it builds).
 //
 // $readmemh and $fscanf hide short files, over-wide words and X digits, each simulator in its own
 // way. So each line is read as text: its length, every character and every padding bit are
@@ -96,7 +98,9 @@ module line_reader #(
 endmodule
 
 // Drives dda with dda.cfg.tv and compares every row of dda.exp.tv. Inputs change and
-// outputs are compared at the falling edge; the device works at the rising edge.
+// outputs are compared at the falling edge; the device works at the rising edge. Now and then the
+// bench stalls: it holds for some clocks, with other slopes at the inputs, and nothing may change.
+// With +dump or +vcd it does not stall: rows and waves are then those of the files.
 module dda_check (
     input  wire       clk,
     output reg        done,
@@ -128,11 +132,16 @@ module dda_check (
 
     reg rst;
     reg [1:0] op;
+    reg [6:0] init, dx, dy;
+    reg [15:0] noise;
+    integer stall_left;
+    reg stalls;
+    integer dump;
     wire [6:0] acc;
     wire [2:0] out_v;
     dda device (
         .clk(clk), .rst(rst), .op(op),
-        .init(cfg.init), .dx(cfg.dx), .dy(cfg.dy),
+        .init(init), .dx(dx), .dy(dy),
         .acc(acc), .out_v(out_v)
     );
 
@@ -148,11 +157,15 @@ module dda_check (
         op = OP_HOLD;
         cfg = 0;
         want = 0;
+        noise = 16'hace1;
+        stall_left = 0;
+        dump = 0;
+        stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
+        if ($test$plusargs("dump")) dump = $fopen("dda.exp.dut.tv", "w");
     end
 
     task compare;
         begin
-            rows = rows + 1;
             if (acc !== want.acc) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
@@ -170,6 +183,9 @@ module dda_check (
 
     task apply;
         begin
+            noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+            // One row in 32 stalls, for one to eight clocks.
+            if (stalls && noise[4:0] == 0) stall_left = noise[7:5] + 1;
             exp_file.next;
             exp_bits = {
                     exp_file.nibbles[51:48], exp_file.nibbles[35:32], exp_file.nibbles[27:24], exp_file.nibbles[11:8]};
@@ -193,6 +209,9 @@ module dda_check (
                 end
             end
             op = want.op;
+            init = cfg.init;
+            dx = cfg.dx;
+            dy = cfg.dy;
             pending = 1'b1;
         end
     endtask
@@ -202,8 +221,20 @@ module dda_check (
             reset_left = reset_left - 1;
         else if (!done) begin
             rst = 1'b0;
-            if (pending) compare;
-            if (exp_file.line < DDA_EXP_ROWS)
+            if (pending) begin
+                rows = rows + 1;
+                if (dump != 0) $fdisplay(dump, "%h_%h_%h", op, acc, out_v);
+            end
+            if (pending || op == OP_HOLD && walk != 0) compare;
+            if (pending && stall_left > 0) begin
+                pending = 1'b0;
+                op = OP_HOLD;
+                init = ~init;
+                dx = ~dx;
+                dy = ~dy;
+            end
+            if (!pending && stall_left > 0) stall_left = stall_left - 1;
+            else if (exp_file.line < DDA_EXP_ROWS)
                 apply;
             else begin
                 exp_file.last;
@@ -215,7 +246,9 @@ module dda_check (
 endmodule
 
 // Drives edge_stepper with edge.cfg.tv and compares every row of edge.exp.tv. Inputs change and
-// outputs are compared at the falling edge; the device works at the rising edge.
+// outputs are compared at the falling edge; the device works at the rising edge. Now and then the
+// bench stalls: it holds for some clocks, with other slopes at the inputs, and nothing may change.
+// With +dump or +vcd it does not stall: rows and waves are then those of the files.
 module edge_check (
     input  wire       clk,
     output reg        done,
@@ -247,11 +280,16 @@ module edge_check (
 
     reg rst;
     reg [1:0] op;
+    reg [5:0] e0, ea, eb;
+    reg [15:0] noise;
+    integer stall_left;
+    reg stalls;
+    integer dump;
     wire [5:0] e;
     wire [0:0] in_v;
     edge_stepper device (
         .clk(clk), .rst(rst), .op(op),
-        .e0(cfg.e0), .ea(cfg.ea), .eb(cfg.eb),
+        .e0(e0), .ea(ea), .eb(eb),
         .e(e), .in_v(in_v)
     );
 
@@ -267,11 +305,15 @@ module edge_check (
         op = OP_HOLD;
         cfg = 0;
         want = 0;
+        noise = 16'hace1;
+        stall_left = 0;
+        dump = 0;
+        stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
+        if ($test$plusargs("dump")) dump = $fopen("edge.exp.dut.tv", "w");
     end
 
     task compare;
         begin
-            rows = rows + 1;
             if (e !== want.e) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
@@ -289,6 +331,9 @@ module edge_check (
 
     task apply;
         begin
+            noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+            // One row in 32 stalls, for one to eight clocks.
+            if (stalls && noise[4:0] == 0) stall_left = noise[7:5] + 1;
             exp_file.next;
             exp_bits = {
                     exp_file.nibbles[51:48], exp_file.nibbles[35:32], exp_file.nibbles[27:24], exp_file.nibbles[11:8]};
@@ -312,6 +357,9 @@ module edge_check (
                 end
             end
             op = want.op;
+            e0 = cfg.e0;
+            ea = cfg.ea;
+            eb = cfg.eb;
             pending = 1'b1;
         end
     endtask
@@ -321,8 +369,20 @@ module edge_check (
             reset_left = reset_left - 1;
         else if (!done) begin
             rst = 1'b0;
-            if (pending) compare;
-            if (exp_file.line < EDGE_EXP_ROWS)
+            if (pending) begin
+                rows = rows + 1;
+                if (dump != 0) $fdisplay(dump, "%h_%h_%h", op, e, in_v);
+            end
+            if (pending || op == OP_HOLD && walk != 0) compare;
+            if (pending && stall_left > 0) begin
+                pending = 1'b0;
+                op = OP_HOLD;
+                e0 = ~e0;
+                ea = ~ea;
+                eb = ~eb;
+            end
+            if (!pending && stall_left > 0) stall_left = stall_left - 1;
+            else if (exp_file.line < EDGE_EXP_ROWS)
                 apply;
             else begin
                 exp_file.last;
@@ -333,26 +393,715 @@ module edge_check (
         end
 endmodule
 
+// Drives triangle_setup with setup.cfg.tv and compares what its streams answer. The bench stalls them in
+// patterns that change every 16 records: never, every other clock, at random, in long pauses. Inputs
+// change at the falling edge; what is taken at a rising edge is compared as it stands before it.
+module setup_check (
+    input  wire       clk,
+    output reg        done,
+    output reg [63:0] rows,
+    output reg [63:0] mismatches
+);
+    import guardbit_pkg::*;
+    localparam logic [63:0] REPORTED = 20;
+    localparam integer PATIENCE = 100000;   // clocks without a transfer
+
+    line_reader #(
+        .NAME("setup.cfg.tv"), .ROWS(SETUP_CFG_ROWS), .CHARS(SETUP_CFG_LINE),
+        .FIXED(144'h005f005f005f005f005f005f005f005f000a),
+        .DIGITS(144'h010001000100010001000100010001000100)
+    ) cfg_file ();
+    reg [SETUP_CFG_BITS-1:0] cfg_bits;
+    setup_cfg_t cfg;
+    reg rst;
+    reg in_valid;
+    wire in_ready;
+    reg taken;
+    integer reset_left;
+    integer quiet;                          // clocks since the last transfer
+    integer beat;
+    reg [15:0] noise;
+
+    // Which clocks stall, by the record that is in the device.
+    reg stalls;
+    always @*
+        case (cfg_file.line[5:4])
+            2'd0: stalls = 1'b0;
+            2'd1: stalls = beat[0];
+            2'd2: stalls = noise[0];
+            default: stalls = beat[4];
+        endcase
+
+    line_reader #(
+        .NAME("setup.exp.tv"), .ROWS(SETUP_EXP_ROWS), .CHARS(SETUP_EXP_LINE),
+        .FIXED(304'h00005f00005f00005f00005f00005f00005f00005f00005f00005f00005f00005f00005f000a),
+        .DIGITS(304'h0101000101000101000101000101000101000101000101000101000101000101000101000100)
+    ) o_file ();
+    reg [SETUP_EXP_BITS-1:0] o_bits;
+    setup_exp_t o_want;
+    wire [5:0] o_e0;
+    wire [5:0] o_a0;
+    wire [5:0] o_b0;
+    wire [5:0] o_e1;
+    wire [5:0] o_a1;
+    wire [5:0] o_b1;
+    wire [5:0] o_e2;
+    wire [5:0] o_a2;
+    wire [5:0] o_b2;
+    wire [6:0] o_z;
+    wire [6:0] o_dzdx;
+    wire [6:0] o_dzdy;
+    wire [0:0] o_zero_area;
+    wire o_valid;
+    reg o_ready;
+    // An answer that has not been taken stays as it is.
+    reg o_held;
+    wire [75:0] o_now = {o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2, o_z, o_dzdx, o_dzdy, o_zero_area};
+    reg [75:0] o_kept;
+    integer o_dump;
+
+    task o_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (o_dump != 0) $fdisplay(o_dump, "%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h", o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2, o_z, o_dzdx, o_dzdy, o_zero_area);
+            if (o_file.line >= SETUP_EXP_ROWS) too_much("setup.exp");
+            else begin
+                o_file.next;
+                o_bits = {
+                    o_file.nibbles[299:296], o_file.nibbles[291:288], o_file.nibbles[275:272], o_file.nibbles[267:264],
+                    o_file.nibbles[251:248], o_file.nibbles[243:240], o_file.nibbles[227:224], o_file.nibbles[219:216],
+                    o_file.nibbles[203:200], o_file.nibbles[195:192], o_file.nibbles[179:176], o_file.nibbles[171:168],
+                    o_file.nibbles[155:152], o_file.nibbles[147:144], o_file.nibbles[131:128], o_file.nibbles[123:120],
+                    o_file.nibbles[107:104], o_file.nibbles[99:96], o_file.nibbles[83:80], o_file.nibbles[75:72],
+                    o_file.nibbles[59:56], o_file.nibbles[51:48], o_file.nibbles[35:32], o_file.nibbles[27:24],
+                    o_file.nibbles[11:8]};
+                o_want = o_bits;
+                if (|(o_bits & SETUP_EXP_PADS)) o_file.over_wide;
+            if (o_e0 !== o_want.e0) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field e0\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.e0, o_want.e0, o_e0, o_e0);
+            end
+            if (o_a0 !== o_want.a0) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field a0\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.a0, o_want.a0, o_a0, o_a0);
+            end
+            if (o_b0 !== o_want.b0) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field b0\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.b0, o_want.b0, o_b0, o_b0);
+            end
+            if (o_e1 !== o_want.e1) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field e1\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.e1, o_want.e1, o_e1, o_e1);
+            end
+            if (o_a1 !== o_want.a1) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field a1\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.a1, o_want.a1, o_a1, o_a1);
+            end
+            if (o_b1 !== o_want.b1) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field b1\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.b1, o_want.b1, o_b1, o_b1);
+            end
+            if (o_e2 !== o_want.e2) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field e2\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.e2, o_want.e2, o_e2, o_e2);
+            end
+            if (o_a2 !== o_want.a2) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field a2\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.a2, o_want.a2, o_a2, o_a2);
+            end
+            if (o_b2 !== o_want.b2) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field b2\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.b2, o_want.b2, o_b2, o_b2);
+            end
+            if (o_z !== o_want.z) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field z\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.z, o_want.z, o_z, o_z);
+            end
+            if (o_dzdx !== o_want.dzdx) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field dzdx\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.dzdx, o_want.dzdx, o_dzdx, o_dzdx);
+            end
+            if (o_dzdy !== o_want.dzdy) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field dzdy\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.dzdy, o_want.dzdy, o_dzdy, o_dzdy);
+            end
+            if (o_zero_area !== o_want.zero_area) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field zero_area\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.zero_area, o_want.zero_area, o_zero_area, o_zero_area);
+            end
+            end
+        end
+    endtask
+
+    triangle_setup device (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
+        .x0(cfg.x0),
+        .y0(cfg.y0),
+        .z0(cfg.z0),
+        .x1(cfg.x1),
+        .y1(cfg.y1),
+        .z1(cfg.z1),
+        .x2(cfg.x2),
+        .y2(cfg.y2),
+        .z2(cfg.z2),
+        .o_e0(o_e0),
+        .o_a0(o_a0),
+        .o_b0(o_b0),
+        .o_e1(o_e1),
+        .o_a1(o_a1),
+        .o_b1(o_b1),
+        .o_e2(o_e2),
+        .o_a2(o_a2),
+        .o_b2(o_b2),
+        .o_z(o_z),
+        .o_dzdx(o_dzdx),
+        .o_dzdy(o_dzdy),
+        .o_zero_area(o_zero_area),
+        .out_valid(o_valid),
+        .out_ready(o_ready)
+    );
+
+    initial begin
+        done = 1'b0;
+        rows = 0;
+        mismatches = 0;
+        rst = 1'b1;
+        in_valid = 1'b0;
+        taken = 1'b0;
+        reset_left = 3;
+        quiet = 0;
+        beat = 0;
+        noise = 16'hace1;
+        cfg = 0;
+        o_ready = 1'b0;
+        o_held = 1'b0;
+        o_dump = 0;
+        if ($test$plusargs("dump")) o_dump = $fopen("setup.exp.dut.tv", "w");
+    end
+
+    task too_much(input reg [8*16-1:0] stream);
+        begin
+            mismatches = mismatches + 1;
+            if (mismatches <= REPORTED)
+                $display("MISMATCH setup (%0s.tv): a row too much, all %0d records are in", stream, cfg_file.line);
+        end
+    endtask
+
+    task unstable(input reg [8*16-1:0] stream, input longint unsigned line);
+        begin
+            mismatches = mismatches + 1;
+            if (mismatches <= REPORTED)
+                $display("MISMATCH setup (%0s.tv line %0d): an answer changes or goes before it is taken", stream, line);
+        end
+    endtask
+
+    // What a rising edge takes.
+    always @(posedge clk)
+        if (reset_left == 0 && !done) begin
+            quiet = quiet + 1;
+            if (in_valid && in_ready === 1'b1) begin
+                taken = 1'b1;
+                quiet = 0;
+            end
+        if (o_held && (!o_valid || o_now !== o_kept))
+            unstable("setup.exp", o_file.line + 1);
+        o_held = o_valid && !o_ready;
+        o_kept = o_now;
+        if (o_valid === 1'b1 && o_ready) o_compare;
+        end
+
+    always @(negedge clk)
+        if (reset_left > 0)
+            reset_left = reset_left - 1;
+        else if (!done) begin
+            rst = 1'b0;
+            beat = beat + 1;
+        o_ready = !stalls;
+        noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+            if (taken) in_valid = 1'b0;
+            taken = 1'b0;
+            if (!in_valid && !stalls && cfg_file.line < SETUP_CFG_ROWS) begin
+                cfg_file.next;
+                cfg_bits = {
+                    cfg_file.nibbles[139:136], cfg_file.nibbles[123:120], cfg_file.nibbles[107:104], cfg_file.nibbles[91:88],
+                    cfg_file.nibbles[75:72], cfg_file.nibbles[59:56], cfg_file.nibbles[43:40], cfg_file.nibbles[27:24],
+                    cfg_file.nibbles[11:8]};
+                cfg = cfg_bits;
+                if (|(cfg_bits & SETUP_CFG_PADS)) cfg_file.over_wide;
+                in_valid = 1'b1;
+            end
+            // Some clocks more show what comes too much.
+            if (cfg_file.line >= SETUP_CFG_ROWS && !in_valid && o_file.line >= SETUP_EXP_ROWS && !(o_valid) && quiet > 100) begin
+                cfg_file.last;
+                o_file.last;
+                done = 1'b1;
+            end
+            else if (quiet > PATIENCE) begin
+                $display("FAIL setup: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), SETUP_CFG_ROWS);
+                $fatal(1, "the device hangs, or rows are missing");
+            end
+        end
+endmodule
+
+// Drives triangle_engine with triangle.cfg.tv and compares what its streams answer. The bench stalls them in
+// patterns that change every 16 records: never, every other clock, at random, in long pauses. Inputs
+// change at the falling edge; what is taken at a rising edge is compared as it stands before it.
+module triangle_check (
+    input  wire       clk,
+    output reg        done,
+    output reg [63:0] rows,
+    output reg [63:0] mismatches
+);
+    import guardbit_pkg::*;
+    localparam logic [63:0] REPORTED = 20;
+    localparam integer PATIENCE = 100000;   // clocks without a transfer
+
+    line_reader #(
+        .NAME("triangle.cfg.tv"), .ROWS(TRIANGLE_CFG_ROWS), .CHARS(TRIANGLE_CFG_LINE),
+        .FIXED(568'h00000000000000005f00005f00005f00005f00005f00005f00005f00005f00005f00005f00005f00005f00005f005f00000000005f00000000005f00000000005f00000000000a),
+        .DIGITS(568'h0101010101010101000101000101000101000101000101000101000101000101000101000101000101000101000100010101010100010101010100010101010100010101010100)
+    ) cfg_file ();
+    reg [TRIANGLE_CFG_BITS-1:0] cfg_bits;
+    triangle_cfg_t cfg;
+    reg rst;
+    reg in_valid;
+    wire in_ready;
+    reg taken;
+    integer reset_left;
+    integer quiet;                          // clocks since the last transfer
+    integer beat;
+    reg [15:0] noise;
+
+    // Which clocks stall, by the record that is in the device.
+    reg stalls;
+    always @*
+        case (cfg_file.line[5:4])
+            2'd0: stalls = 1'b0;
+            2'd1: stalls = beat[0];
+            2'd2: stalls = noise[0];
+            default: stalls = beat[4];
+        endcase
+
+    line_reader #(
+        .NAME("span.exp.tv"), .ROWS(SPAN_EXP_ROWS), .CHARS(SPAN_EXP_LINE),
+        .FIXED(216'h00000000000000005f00000000005f00000000005f00000000000a),
+        .DIGITS(216'h010101010101010100010101010100010101010100010101010100)
+    ) span_file ();
+    reg [SPAN_EXP_BITS-1:0] span_bits;
+    span_exp_t span_want;
+    wire [31:0] span_test;
+    wire [16:0] span_y;
+    wire [16:0] span_x0;
+    wire [16:0] span_x1;
+    wire span_valid;
+    reg span_ready;
+    // An answer that has not been taken stays as it is.
+    reg span_held;
+    wire [82:0] span_now = {span_test, span_y, span_x0, span_x1};
+    reg [82:0] span_kept;
+    integer span_dump;
+
+    task span_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (span_dump != 0) $fdisplay(span_dump, "%h_%h_%h_%h", span_test, span_y, span_x0, span_x1);
+            if (span_file.line >= SPAN_EXP_ROWS) too_much("span.exp");
+            else begin
+                span_file.next;
+                span_bits = {
+                    span_file.nibbles[211:208], span_file.nibbles[203:200], span_file.nibbles[195:192], span_file.nibbles[187:184],
+                    span_file.nibbles[179:176], span_file.nibbles[171:168], span_file.nibbles[163:160], span_file.nibbles[155:152],
+                    span_file.nibbles[139:136], span_file.nibbles[131:128], span_file.nibbles[123:120], span_file.nibbles[115:112],
+                    span_file.nibbles[107:104], span_file.nibbles[91:88], span_file.nibbles[83:80], span_file.nibbles[75:72],
+                    span_file.nibbles[67:64], span_file.nibbles[59:56], span_file.nibbles[43:40], span_file.nibbles[35:32],
+                    span_file.nibbles[27:24], span_file.nibbles[19:16], span_file.nibbles[11:8]};
+                span_want = span_bits;
+                if (|(span_bits & SPAN_EXP_PADS)) span_file.over_wide;
+            if (span_test !== span_want.test) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (span.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
+                        span_file.line, span_want.test, span_want.test, span_test, span_test);
+            end
+            if (span_y !== span_want.y) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (span.exp.tv line %0d) field y\n    expected %h  %b\n    got      %h  %b",
+                        span_file.line, span_want.y, span_want.y, span_y, span_y);
+            end
+            if (span_x0 !== span_want.x0) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (span.exp.tv line %0d) field x0\n    expected %h  %b\n    got      %h  %b",
+                        span_file.line, span_want.x0, span_want.x0, span_x0, span_x0);
+            end
+            if (span_x1 !== span_want.x1) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (span.exp.tv line %0d) field x1\n    expected %h  %b\n    got      %h  %b",
+                        span_file.line, span_want.x1, span_want.x1, span_x1, span_x1);
+            end
+            end
+        end
+    endtask
+
+    line_reader #(
+        .NAME("depth.exp.tv"), .ROWS(DEPTH_EXP_ROWS), .CHARS(DEPTH_EXP_LINE),
+        .FIXED(184'h00000000000000005f00000000005f00000000005f000a),
+        .DIGITS(184'h0101010101010101000101010101000101010101000100)
+    ) depth_file ();
+    reg [DEPTH_EXP_BITS-1:0] depth_bits;
+    depth_exp_t depth_want;
+    wire [31:0] depth_test;
+    wire [16:0] depth_x;
+    wire [16:0] depth_y;
+    wire [2:0] depth_z;
+    wire depth_valid;
+    reg depth_ready;
+    // An answer that has not been taken stays as it is.
+    reg depth_held;
+    wire [68:0] depth_now = {depth_test, depth_x, depth_y, depth_z};
+    reg [68:0] depth_kept;
+    integer depth_dump;
+
+    task depth_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (depth_dump != 0) $fdisplay(depth_dump, "%h_%h_%h_%h", depth_test, depth_x, depth_y, depth_z);
+            if (depth_file.line >= DEPTH_EXP_ROWS) too_much("depth.exp");
+            else begin
+                depth_file.next;
+                depth_bits = {
+                    depth_file.nibbles[179:176], depth_file.nibbles[171:168], depth_file.nibbles[163:160], depth_file.nibbles[155:152],
+                    depth_file.nibbles[147:144], depth_file.nibbles[139:136], depth_file.nibbles[131:128], depth_file.nibbles[123:120],
+                    depth_file.nibbles[107:104], depth_file.nibbles[99:96], depth_file.nibbles[91:88], depth_file.nibbles[83:80],
+                    depth_file.nibbles[75:72], depth_file.nibbles[59:56], depth_file.nibbles[51:48], depth_file.nibbles[43:40],
+                    depth_file.nibbles[35:32], depth_file.nibbles[27:24], depth_file.nibbles[11:8]};
+                depth_want = depth_bits;
+                if (|(depth_bits & DEPTH_EXP_PADS)) depth_file.over_wide;
+            if (depth_test !== depth_want.test) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (depth.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
+                        depth_file.line, depth_want.test, depth_want.test, depth_test, depth_test);
+            end
+            if (depth_x !== depth_want.x) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (depth.exp.tv line %0d) field x\n    expected %h  %b\n    got      %h  %b",
+                        depth_file.line, depth_want.x, depth_want.x, depth_x, depth_x);
+            end
+            if (depth_y !== depth_want.y) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (depth.exp.tv line %0d) field y\n    expected %h  %b\n    got      %h  %b",
+                        depth_file.line, depth_want.y, depth_want.y, depth_y, depth_y);
+            end
+            if (depth_z !== depth_want.z) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (depth.exp.tv line %0d) field z\n    expected %h  %b\n    got      %h  %b",
+                        depth_file.line, depth_want.z, depth_want.z, depth_z, depth_z);
+            end
+            end
+        end
+    endtask
+
+    line_reader #(
+        .NAME("triangle.exp.tv"), .ROWS(TRIANGLE_EXP_ROWS), .CHARS(TRIANGLE_EXP_LINE),
+        .FIXED(520'h00000000000000005f00000000000000005f00000000000000005f00000000000000005f00000000000000005f00000000000000005f00000000000000005f000a),
+        .DIGITS(520'h0101010101010101000101010101010101000101010101010101000101010101010101000101010101010101000101010101010101000101010101010101000100)
+    ) triangle_file ();
+    reg [TRIANGLE_EXP_BITS-1:0] triangle_bits;
+    triangle_exp_t triangle_want;
+    wire [31:0] triangle_test;
+    wire [31:0] triangle_spans;
+    wire [31:0] triangle_samples;
+    wire [0:0] triangle_zero_area;
+    wire triangle_valid;
+    reg triangle_ready;
+    // An answer that has not been taken stays as it is.
+    reg triangle_held;
+    wire [96:0] triangle_now = {triangle_test, triangle_spans, triangle_samples, triangle_zero_area};
+    reg [96:0] triangle_kept;
+    integer triangle_dump;
+
+    task triangle_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (triangle_dump != 0) $fdisplay(triangle_dump, "%h_%h_%h_%h_%h_%h_%h_%h_000000000000000000000000ffffffffffffffffffffffffffffffff0", triangle_test, triangle_spans, triangle_samples, 32'h0, 32'h0, 32'h0, 32'h0, triangle_zero_area);
+            if (triangle_file.line >= TRIANGLE_EXP_ROWS) too_much("triangle.exp");
+            else begin
+                triangle_file.next;
+                triangle_bits = {
+                    triangle_file.nibbles[515:512], triangle_file.nibbles[507:504], triangle_file.nibbles[499:496], triangle_file.nibbles[491:488],
+                    triangle_file.nibbles[483:480], triangle_file.nibbles[475:472], triangle_file.nibbles[467:464], triangle_file.nibbles[459:456],
+                    triangle_file.nibbles[443:440], triangle_file.nibbles[435:432], triangle_file.nibbles[427:424], triangle_file.nibbles[419:416],
+                    triangle_file.nibbles[411:408], triangle_file.nibbles[403:400], triangle_file.nibbles[395:392], triangle_file.nibbles[387:384],
+                    triangle_file.nibbles[371:368], triangle_file.nibbles[363:360], triangle_file.nibbles[355:352], triangle_file.nibbles[347:344],
+                    triangle_file.nibbles[339:336], triangle_file.nibbles[331:328], triangle_file.nibbles[323:320], triangle_file.nibbles[315:312],
+                    triangle_file.nibbles[299:296], triangle_file.nibbles[291:288], triangle_file.nibbles[283:280], triangle_file.nibbles[275:272],
+                    triangle_file.nibbles[267:264], triangle_file.nibbles[259:256], triangle_file.nibbles[251:248], triangle_file.nibbles[243:240],
+                    triangle_file.nibbles[227:224], triangle_file.nibbles[219:216], triangle_file.nibbles[211:208], triangle_file.nibbles[203:200],
+                    triangle_file.nibbles[195:192], triangle_file.nibbles[187:184], triangle_file.nibbles[179:176], triangle_file.nibbles[171:168],
+                    triangle_file.nibbles[155:152], triangle_file.nibbles[147:144], triangle_file.nibbles[139:136], triangle_file.nibbles[131:128],
+                    triangle_file.nibbles[123:120], triangle_file.nibbles[115:112], triangle_file.nibbles[107:104], triangle_file.nibbles[99:96],
+                    triangle_file.nibbles[83:80], triangle_file.nibbles[75:72], triangle_file.nibbles[67:64], triangle_file.nibbles[59:56],
+                    triangle_file.nibbles[51:48], triangle_file.nibbles[43:40], triangle_file.nibbles[35:32], triangle_file.nibbles[27:24],
+                    triangle_file.nibbles[11:8]};
+                triangle_want = triangle_bits;
+                if (|(triangle_bits & TRIANGLE_EXP_PADS)) triangle_file.over_wide;
+            if (triangle_test !== triangle_want.test) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (triangle.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
+                        triangle_file.line, triangle_want.test, triangle_want.test, triangle_test, triangle_test);
+            end
+            if (triangle_spans !== triangle_want.spans) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (triangle.exp.tv line %0d) field spans\n    expected %h  %b\n    got      %h  %b",
+                        triangle_file.line, triangle_want.spans, triangle_want.spans, triangle_spans, triangle_spans);
+            end
+            if (triangle_samples !== triangle_want.samples) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (triangle.exp.tv line %0d) field samples\n    expected %h  %b\n    got      %h  %b",
+                        triangle_file.line, triangle_want.samples, triangle_want.samples, triangle_samples, triangle_samples);
+            end
+            if (triangle_zero_area !== triangle_want.zero_area) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (triangle.exp.tv line %0d) field zero_area\n    expected %h  %b\n    got      %h  %b",
+                        triangle_file.line, triangle_want.zero_area, triangle_want.zero_area, triangle_zero_area, triangle_zero_area);
+            end
+            end
+        end
+    endtask
+
+    triangle_engine device (
+        .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
+        .test(cfg.test),
+        .e0(cfg.e0),
+        .a0(cfg.a0),
+        .b0(cfg.b0),
+        .e1(cfg.e1),
+        .a1(cfg.a1),
+        .b1(cfg.b1),
+        .e2(cfg.e2),
+        .a2(cfg.a2),
+        .b2(cfg.b2),
+        .z(cfg.z),
+        .dzdx(cfg.dzdx),
+        .dzdy(cfg.dzdy),
+        .zero_area(cfg.zero_area),
+        .x0(cfg.x0),
+        .y0(cfg.y0),
+        .x1(cfg.x1),
+        .y1(cfg.y1),
+        .span_test(span_test),
+        .span_y(span_y),
+        .span_x0(span_x0),
+        .span_x1(span_x1),
+        .span_valid(span_valid),
+        .span_ready(span_ready),
+        .depth_test(depth_test),
+        .depth_x(depth_x),
+        .depth_y(depth_y),
+        .depth_z(depth_z),
+        .depth_valid(depth_valid),
+        .depth_ready(depth_ready),
+        .triangle_test(triangle_test),
+        .triangle_spans(triangle_spans),
+        .triangle_samples(triangle_samples),
+        .triangle_zero_area(triangle_zero_area),
+        .triangle_valid(triangle_valid),
+        .triangle_ready(triangle_ready)
+    );
+
+    initial begin
+        done = 1'b0;
+        rows = 0;
+        mismatches = 0;
+        rst = 1'b1;
+        in_valid = 1'b0;
+        taken = 1'b0;
+        reset_left = 3;
+        quiet = 0;
+        beat = 0;
+        noise = 16'hace1;
+        cfg = 0;
+        span_ready = 1'b0;
+        span_held = 1'b0;
+        span_dump = 0;
+        if ($test$plusargs("dump")) span_dump = $fopen("span.exp.dut.tv", "w");
+        depth_ready = 1'b0;
+        depth_held = 1'b0;
+        depth_dump = 0;
+        if ($test$plusargs("dump")) depth_dump = $fopen("depth.exp.dut.tv", "w");
+        triangle_ready = 1'b0;
+        triangle_held = 1'b0;
+        triangle_dump = 0;
+        if ($test$plusargs("dump")) triangle_dump = $fopen("triangle.exp.dut.tv", "w");
+    end
+
+    task too_much(input reg [8*16-1:0] stream);
+        begin
+            mismatches = mismatches + 1;
+            if (mismatches <= REPORTED)
+                $display("MISMATCH triangle (%0s.tv): a row too much, all %0d records are in", stream, cfg_file.line);
+        end
+    endtask
+
+    task unstable(input reg [8*16-1:0] stream, input longint unsigned line);
+        begin
+            mismatches = mismatches + 1;
+            if (mismatches <= REPORTED)
+                $display("MISMATCH triangle (%0s.tv line %0d): an answer changes or goes before it is taken", stream, line);
+        end
+    endtask
+
+    // What a rising edge takes.
+    always @(posedge clk)
+        if (reset_left == 0 && !done) begin
+            quiet = quiet + 1;
+            if (in_valid && in_ready === 1'b1) begin
+                taken = 1'b1;
+                quiet = 0;
+            end
+        if (span_held && (!span_valid || span_now !== span_kept))
+            unstable("span.exp", span_file.line + 1);
+        span_held = span_valid && !span_ready;
+        span_kept = span_now;
+        if (span_valid === 1'b1 && span_ready) span_compare;
+        if (depth_held && (!depth_valid || depth_now !== depth_kept))
+            unstable("depth.exp", depth_file.line + 1);
+        depth_held = depth_valid && !depth_ready;
+        depth_kept = depth_now;
+        if (depth_valid === 1'b1 && depth_ready) depth_compare;
+        if (triangle_held && (!triangle_valid || triangle_now !== triangle_kept))
+            unstable("triangle.exp", triangle_file.line + 1);
+        triangle_held = triangle_valid && !triangle_ready;
+        triangle_kept = triangle_now;
+        if (triangle_valid === 1'b1 && triangle_ready) triangle_compare;
+        end
+
+    always @(negedge clk)
+        if (reset_left > 0)
+            reset_left = reset_left - 1;
+        else if (!done) begin
+            rst = 1'b0;
+            beat = beat + 1;
+        span_ready = !stalls;
+        noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+        depth_ready = !stalls;
+        noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+        triangle_ready = !stalls;
+        noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+            if (taken) in_valid = 1'b0;
+            taken = 1'b0;
+            if (!in_valid && !stalls && cfg_file.line < TRIANGLE_CFG_ROWS) begin
+                cfg_file.next;
+                cfg_bits = {
+                    cfg_file.nibbles[563:560], cfg_file.nibbles[555:552], cfg_file.nibbles[547:544], cfg_file.nibbles[539:536],
+                    cfg_file.nibbles[531:528], cfg_file.nibbles[523:520], cfg_file.nibbles[515:512], cfg_file.nibbles[507:504],
+                    cfg_file.nibbles[491:488], cfg_file.nibbles[483:480], cfg_file.nibbles[467:464], cfg_file.nibbles[459:456],
+                    cfg_file.nibbles[443:440], cfg_file.nibbles[435:432], cfg_file.nibbles[419:416], cfg_file.nibbles[411:408],
+                    cfg_file.nibbles[395:392], cfg_file.nibbles[387:384], cfg_file.nibbles[371:368], cfg_file.nibbles[363:360],
+                    cfg_file.nibbles[347:344], cfg_file.nibbles[339:336], cfg_file.nibbles[323:320], cfg_file.nibbles[315:312],
+                    cfg_file.nibbles[299:296], cfg_file.nibbles[291:288], cfg_file.nibbles[275:272], cfg_file.nibbles[267:264],
+                    cfg_file.nibbles[251:248], cfg_file.nibbles[243:240], cfg_file.nibbles[227:224], cfg_file.nibbles[219:216],
+                    cfg_file.nibbles[203:200], cfg_file.nibbles[187:184], cfg_file.nibbles[179:176], cfg_file.nibbles[171:168],
+                    cfg_file.nibbles[163:160], cfg_file.nibbles[155:152], cfg_file.nibbles[139:136], cfg_file.nibbles[131:128],
+                    cfg_file.nibbles[123:120], cfg_file.nibbles[115:112], cfg_file.nibbles[107:104], cfg_file.nibbles[91:88],
+                    cfg_file.nibbles[83:80], cfg_file.nibbles[75:72], cfg_file.nibbles[67:64], cfg_file.nibbles[59:56],
+                    cfg_file.nibbles[43:40], cfg_file.nibbles[35:32], cfg_file.nibbles[27:24], cfg_file.nibbles[19:16],
+                    cfg_file.nibbles[11:8]};
+                cfg = cfg_bits;
+                if (|(cfg_bits & TRIANGLE_CFG_PADS)) cfg_file.over_wide;
+                in_valid = 1'b1;
+            end
+            // Some clocks more show what comes too much.
+            if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && span_file.line >= SPAN_EXP_ROWS && depth_file.line >= DEPTH_EXP_ROWS && triangle_file.line >= TRIANGLE_EXP_ROWS && !(span_valid || depth_valid || triangle_valid) && quiet > 100) begin
+                cfg_file.last;
+                span_file.last;
+                depth_file.last;
+                triangle_file.last;
+                done = 1'b1;
+            end
+            else if (quiet > PATIENCE) begin
+                $display("FAIL triangle: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
+                $fatal(1, "the device hangs, or rows are missing");
+            end
+        end
+endmodule
+
 module tb;
     reg clk = 1'b0;
     always #1 clk = ~clk;
 
     wire dda_done;
     wire [63:0] dda_rows, dda_mismatches;
-    dda_check dda_half (.clk(clk), .done(dda_done), .rows(dda_rows), .mismatches(dda_mismatches));
+    dda_check dda (.clk(clk), .done(dda_done), .rows(dda_rows), .mismatches(dda_mismatches));
 
     wire edge_done;
     wire [63:0] edge_rows, edge_mismatches;
-    edge_check edge_half (.clk(clk), .done(edge_done), .rows(edge_rows), .mismatches(edge_mismatches));
+    edge_check edge_v (.clk(clk), .done(edge_done), .rows(edge_rows), .mismatches(edge_mismatches));
+
+    wire setup_done;
+    wire [63:0] setup_rows, setup_mismatches;
+    setup_check setup (.clk(clk), .done(setup_done), .rows(setup_rows), .mismatches(setup_mismatches));
+
+    wire triangle_done;
+    wire [63:0] triangle_rows, triangle_mismatches;
+    triangle_check triangle (.clk(clk), .done(triangle_done), .rows(triangle_rows), .mismatches(triangle_mismatches));
+
+    // Signals carry the names of the columns, as in the waves of `guardbit trace`.
+    reg [8*256-1:0] wave;
+    initial
+        if ($value$plusargs("vcd=%s", wave)) begin
+            $dumpfile(wave);
+            $dumpvars(1, dda, edge_v, setup, triangle);
+        end
 
     always @(posedge clk)
-        if (dda_done && edge_done) begin
-            if (dda_mismatches != 0 || edge_mismatches != 0) begin
-                $display("FAIL dda rows=%0d edge rows=%0d mismatches=%0d", dda_rows, edge_rows, dda_mismatches + edge_mismatches);
+        if (dda_done && edge_done && setup_done && triangle_done) begin
+            if (dda_mismatches != 0 || edge_mismatches != 0 || setup_mismatches != 0 || triangle_mismatches != 0) begin
+                $display("FAIL dda rows=%0d edge rows=%0d setup rows=%0d triangle rows=%0d mismatches=%0d", dda_rows, edge_rows, setup_rows, triangle_rows, dda_mismatches + edge_mismatches + setup_mismatches + triangle_mismatches);
                 $fatal(1, "device and vectors disagree");
             end
             else begin
-                $display("PASS dda rows=%0d edge rows=%0d", dda_rows, edge_rows);
+                $display("PASS dda rows=%0d edge rows=%0d setup rows=%0d triangle rows=%0d", dda_rows, edge_rows, setup_rows, triangle_rows);
                 $finish;
             end
         end

@@ -3,7 +3,8 @@
 -- Drives the devices of dut.vhd (replace them with yours, same ports) with the set beside this
 -- file and compares every row. Run from inside the set folder:
 --     $ ghdl -a --std=08 pkg.vhd dut.vhd tb.vhd && ghdl -e --std=08 tb && ghdl -r --std=08 tb
--- It ends with a PASS line, or with a FAIL line and a non-zero exit status.
+-- It ends with a PASS line, or with a FAIL line and a non-zero exit status. More, after tb: -gDUMP=true
+-- writes what the devices answer to *.exp.dut.tv, for `guardbit verify --dut`; --vcd=FILE writes waves.
 --
 -- Files are read line by line, so memory does not grow with the set. Each line's length, digits
 -- and padding bits are checked, and the number of lines is checked against the package.
@@ -134,7 +135,9 @@ package body guardbit_bench is
 end package body guardbit_bench;
 
 -- Drives dda with dda.cfg.tv and compares every row of dda.exp.tv. Inputs change and
--- outputs are compared at the falling edge; the device works at the rising edge.
+-- outputs are compared at the falling edge; the device works at the rising edge. Now and then the
+-- bench stalls: it holds for some clocks, with other slopes at the inputs, and nothing may change.
+-- With DUMP it does not stall: rows are then those of the files.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -143,6 +146,7 @@ use work.guardbit_pkg.all;
 use work.guardbit_bench.all;
 
 entity dda_check is
+    generic (DUMP : boolean);
     port (
         clk        : in  std_logic;
         done       : out boolean := false;
@@ -164,12 +168,15 @@ begin
     check : process is
         file cfg_file : text;
         file exp_file : text;
+        file dump_file : text;
+        variable dump_line : line;
         variable cfg_line, exp_line : count_t := (others => '0');
         variable walk, row, bad : count_t := (others => '0');
         variable cfg_bits : std_logic_vector(DDA_CFG_BITS - 1 downto 0);
         variable exp_bits : std_logic_vector(DDA_EXP_BITS - 1 downto 0);
         variable cfg : dda_cfg_t;
         variable want : dda_exp_t;
+        variable noise : std_logic_vector(15 downto 0) := x"ace1";
 
         -- Compared bit for bit, so that U, X and Z of the device are mismatches.
         procedure compare(field : string; expected, got : std_logic_vector; expected_bits, got_bits : string) is
@@ -187,6 +194,9 @@ begin
     begin
         open_file(cfg_file, "dda.cfg.tv");
         open_file(exp_file, "dda.exp.tv");
+        if DUMP then
+            file_open(dump_file, "dda.exp.dut.tv", write_mode);
+        end if;
         wait until falling_edge(clk);
         wait until falling_edge(clk);
         rst <= '0';
@@ -210,6 +220,26 @@ begin
             wait until falling_edge(clk);
             compare("acc", want.acc, acc, to_string(want.acc(6 downto 6)) & "." & to_string(want.acc(5 downto 3)) & "." & to_string(want.acc(2 downto 0)), to_string(acc(6 downto 6)) & "." & to_string(acc(5 downto 3)) & "." & to_string(acc(2 downto 0)));
             compare("out", want.out_v, out_v, to_string(want.out_v), to_string(out_v));
+            if DUMP then
+                write(dump_line, to_hstring(op) & "_" & to_hstring(acc) & "_" & to_hstring(out_v));
+                writeline(dump_file, dump_line);
+            end if;
+            noise := noise(14 downto 0) & (noise(15) xor noise(13) xor noise(12) xor noise(10));
+            -- One row in 32 stalls, for one to eight clocks.
+            if not DUMP and unsigned(noise(4 downto 0)) = 0 then
+                op <= OP_HOLD;
+                init <= not init;
+                dx <= not dx;
+                dy <= not dy;
+                for k in 0 to to_integer(unsigned(noise(7 downto 5))) loop
+                    wait until falling_edge(clk);
+                    compare("acc", want.acc, acc, to_string(want.acc(6 downto 6)) & "." & to_string(want.acc(5 downto 3)) & "." & to_string(want.acc(2 downto 0)), to_string(acc(6 downto 6)) & "." & to_string(acc(5 downto 3)) & "." & to_string(acc(2 downto 0)));
+                    compare("out", want.out_v, out_v, to_string(want.out_v), to_string(out_v));
+                end loop;
+                init <= cfg.init;
+                dx <= cfg.dx;
+                dy <= cfg.dy;
+            end if;
         end loop;
         last_row(exp_file, "dda.exp.tv", DDA_EXP_ROWS, exp_line);
         last_row(cfg_file, "dda.cfg.tv", DDA_CFG_ROWS, cfg_line);
@@ -222,7 +252,9 @@ begin
 end architecture bench;
 
 -- Drives edge_stepper with edge.cfg.tv and compares every row of edge.exp.tv. Inputs change and
--- outputs are compared at the falling edge; the device works at the rising edge.
+-- outputs are compared at the falling edge; the device works at the rising edge. Now and then the
+-- bench stalls: it holds for some clocks, with other slopes at the inputs, and nothing may change.
+-- With DUMP it does not stall: rows are then those of the files.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -231,6 +263,7 @@ use work.guardbit_pkg.all;
 use work.guardbit_bench.all;
 
 entity edge_check is
+    generic (DUMP : boolean);
     port (
         clk        : in  std_logic;
         done       : out boolean := false;
@@ -252,12 +285,15 @@ begin
     check : process is
         file cfg_file : text;
         file exp_file : text;
+        file dump_file : text;
+        variable dump_line : line;
         variable cfg_line, exp_line : count_t := (others => '0');
         variable walk, row, bad : count_t := (others => '0');
         variable cfg_bits : std_logic_vector(EDGE_CFG_BITS - 1 downto 0);
         variable exp_bits : std_logic_vector(EDGE_EXP_BITS - 1 downto 0);
         variable cfg : edge_cfg_t;
         variable want : edge_exp_t;
+        variable noise : std_logic_vector(15 downto 0) := x"ace1";
 
         -- Compared bit for bit, so that U, X and Z of the device are mismatches.
         procedure compare(field : string; expected, got : std_logic_vector; expected_bits, got_bits : string) is
@@ -275,6 +311,9 @@ begin
     begin
         open_file(cfg_file, "edge.cfg.tv");
         open_file(exp_file, "edge.exp.tv");
+        if DUMP then
+            file_open(dump_file, "edge.exp.dut.tv", write_mode);
+        end if;
         wait until falling_edge(clk);
         wait until falling_edge(clk);
         rst <= '0';
@@ -298,6 +337,26 @@ begin
             wait until falling_edge(clk);
             compare("e", want.e, e, to_string(want.e(5 downto 0)), to_string(e(5 downto 0)));
             compare("in", want.in_v, in_v, to_string(want.in_v), to_string(in_v));
+            if DUMP then
+                write(dump_line, to_hstring(op) & "_" & to_hstring(e) & "_" & to_hstring(in_v));
+                writeline(dump_file, dump_line);
+            end if;
+            noise := noise(14 downto 0) & (noise(15) xor noise(13) xor noise(12) xor noise(10));
+            -- One row in 32 stalls, for one to eight clocks.
+            if not DUMP and unsigned(noise(4 downto 0)) = 0 then
+                op <= OP_HOLD;
+                e0 <= not e0;
+                ea <= not ea;
+                eb <= not eb;
+                for k in 0 to to_integer(unsigned(noise(7 downto 5))) loop
+                    wait until falling_edge(clk);
+                    compare("e", want.e, e, to_string(want.e(5 downto 0)), to_string(e(5 downto 0)));
+                    compare("in", want.in_v, in_v, to_string(want.in_v), to_string(in_v));
+                end loop;
+                e0 <= cfg.e0;
+                ea <= cfg.ea;
+                eb <= cfg.eb;
+            end if;
         end loop;
         last_row(exp_file, "edge.exp.tv", EDGE_EXP_ROWS, exp_line);
         last_row(cfg_file, "edge.cfg.tv", EDGE_CFG_ROWS, cfg_line);
@@ -315,6 +374,7 @@ use ieee.numeric_std.all;
 use work.guardbit_bench.all;
 
 entity tb is
+    generic (DUMP : boolean := false);
 end entity tb;
 
 architecture bench of tb is
@@ -324,9 +384,11 @@ architecture bench of tb is
     signal edge_done : boolean;
     signal edge_rows, edge_mismatches : count_t;
 begin
-    dda_half : entity work.dda_check
+    dda : entity work.dda_check
+        generic map (DUMP => DUMP)
         port map (clk => clk, done => dda_done, rows => dda_rows, mismatches => dda_mismatches);
-    edge_half : entity work.edge_check
+    edge_v : entity work.edge_check
+        generic map (DUMP => DUMP)
         port map (clk => clk, done => edge_done, rows => edge_rows, mismatches => edge_mismatches);
 
     run : process is

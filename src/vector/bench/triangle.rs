@@ -2,7 +2,10 @@
 //! and events out).
 
 mod device;
+mod engine;
+mod note;
 mod quirk;
+mod setup;
 mod word;
 
 use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
@@ -11,12 +14,15 @@ use crate::case::Words;
 use crate::case::triangle::{self, Directed, Stimulus};
 use crate::model::{Drawing, Model, Span};
 use crate::profile::neighbours;
-use crate::setup::{Gradient, Triangle};
+use crate::setup::Triangle;
+use crate::value::Depth;
 use crate::vector::table::Table;
 use std::fmt::Write as _;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
+use engine::EngineSlip;
 use quirk::{QUIRKS, Quirk};
+use setup::SetupSlip;
 use word::{bounds, file_specs, input_words, ready, samples, scattered, setup_words};
 
 /// Walk rows per random or scene test of the set-up bench.
@@ -34,6 +40,8 @@ pub struct TriangleBench {
     draws: bool,
     model: Arc<Model>,
     quirk: Quirk,
+    /// Samples that a device which goes on counting has counted before the test of that number.
+    memory: Arc<Mutex<Option<(u64, u64)>>>,
     directed: Arc<Vec<Directed>>,
     scene: Arc<Vec<Triangle>>,
     stimulus: Stimulus,
@@ -79,7 +87,8 @@ impl TriangleBench {
         let files = file_specs(&model, draws);
         let (directed, scene) = (Arc::new(directed), Arc::new(scene));
         let (quirk, seed) = (Quirk::None, source.seed);
-        Self { draws, model, quirk, directed, scene, stimulus, seed, files, groups }
+        let memory = Arc::default();
+        Self { draws, model, quirk, memory, directed, scene, stimulus, seed, files, groups }
     }
 
     /// The vertices of a test.
@@ -99,29 +108,8 @@ impl TriangleBench {
         let [cfg, exp] = tables else { return };
         cfg.push(&input_words(triangle, self.model.depth().is_some()));
         let drawing = self.drawn(triangle);
-        exp.push(&self.device_words(&drawing));
+        exp.push(&self.device_words(triangle, &drawing));
         self.note_setup(triangle, coverage);
-    }
-
-    fn note_setup(&self, triangle: &Triangle, coverage: &mut Coverage) {
-        let triangle = triangle.normalised();
-        let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
-        if triangle.area2() == 0 {
-            return;
-        }
-        let gradient = Gradient::new(&triangle, z);
-        let Ok(grid) = self.model.profile().grid() else { return };
-        let plane = depth.plane(&triangle, z, &grid);
-        let scaled = gradient.x << (grid.sub_pixel + depth.read_out().fraction());
-        let rest = scaled.rem_euclid(gradient.area2);
-        let remainder = match (rest, (2 * rest).cmp(&gradient.area2)) {
-            (0, _) => 0,
-            (_, std::cmp::Ordering::Less) => 1,
-            (_, std::cmp::Ordering::Equal) => 2,
-            (_, std::cmp::Ordering::Greater) => 3,
-        };
-        let octant = Coverage::octant(gradient.x, gradient.y);
-        coverage.note(octant, depth.read_out().zone(plane.start), remainder);
     }
 
     fn emit_triangle(
@@ -138,26 +126,29 @@ impl TriangleBench {
         words.extend(setup_words(&self.model, &drawing));
         words.extend(bounds(&self.model, triangle).map(i128::from));
         cfg.push(&words);
+        if let Quirk::Engine(slip) = self.quirk {
+            let number = u64::try_from(test).unwrap_or(0);
+            let answer = self.slipped(slip, triangle, number);
+            exp.push(&summary(test, (answer.spans.len(), answer.samples), &drawing));
+            for span in &answer.spans {
+                spans.push(&[test, i128::from(span.y), i128::from(span.x0), i128::from(span.x1)]);
+            }
+            let [depths] = rest else { return };
+            for (x, y, z) in answer.depths {
+                depths.push(&[test, i128::from(x), i128::from(y), i128::from(z)]);
+            }
+            return;
+        }
         let mut rows: Vec<Span> = Vec::with_capacity(drawing.spans.len());
         rows.extend(drawing.spans.iter().map(|span| match self.quirk {
             Quirk::RightEndIncluded => Span { x1: span.x1 + 1, ..*span },
             Quirk::LeftEndExcluded => Span { x0: span.x0 + 1, ..*span },
             Quirk::RowsLate => Span { y: span.y + 1, ..*span },
-            Quirk::None | Quirk::NoSwap | Quirk::ZeroExtended => *span,
+            _ => *span,
         }));
         rows.retain(|span| span.x0 < span.x1);
-        let count = |event| i128::from(drawing.events.total.count(event));
         let samples: u64 = rows.iter().map(|span| u64::from(span.x1 - span.x0)).sum();
-        exp.push(&[
-            test,
-            rows.len() as i128,
-            i128::from(samples),
-            count(Event::Wrap),
-            count(Event::ClampAbove),
-            count(Event::ClampBelow),
-            count(Event::Inexact),
-            i128::from(drawing.zero_area),
-        ]);
+        exp.push(&summary(test, (rows.len(), samples), &drawing));
         for span in &rows {
             spans.push(&[test, i128::from(span.y), i128::from(span.x0), i128::from(span.x1)]);
         }
@@ -171,10 +162,8 @@ impl TriangleBench {
             let width = (span.x1 - span.x0) as usize;
             // As drawn, unless a quirk moves the ends of spans.
             let values = match self.quirk {
-                Quirk::None | Quirk::NoSwap | Quirk::ZeroExtended => {
-                    drawing.depth.get(first..first + width)
-                }
-                _ => None,
+                Quirk::RightEndIncluded | Quirk::LeftEndExcluded | Quirk::RowsLate => None,
+                _ => drawing.depth.get(first..first + width),
             };
             let moved = if values.is_none() { self.depths(triangle, span) } else { Vec::new() };
             for (x, z) in (span.x0..span.x1).zip(values.unwrap_or(&moved)) {
@@ -184,55 +173,21 @@ impl TriangleBench {
         }
         self.note_samples(triangle, &drawing, coverage);
     }
+}
 
-    /// Depths and masks where pixels have several samples.
-    fn emit_samples(&self, test: i128, drawing: &Drawing, tables: &mut [Table]) {
-        let by_sample = self.model.ports().by_sample;
-        let (depths, masks) = match tables {
-            [depths, masks] => (Some(depths), masks),
-            [masks] => (None, masks),
-            _ => return,
-        };
-        let pixels = drawing.spans.iter().flat_map(|span| (span.x0..span.x1).map(|x| (x, span.y)));
-        let pixels: Vec<([i128; 2], u32)> = pixels
-            .map(|(x, y)| [x, y].map(i128::from))
-            .zip(drawing.masks.iter().copied())
-            .collect();
-        for ([x, y], mask) in &pixels {
-            masks.push(&[test, *x, *y, i128::from(*mask)]);
-        }
-        let Some(depths) = depths else { return };
-        let mut values = drawing.depth.iter().map(|z| i128::from(*z));
-        for ([x, y], mask) in pixels {
-            if by_sample {
-                for sample in (0..32).filter(|sample| mask >> sample & 1 == 1) {
-                    let Some(z) = values.next() else { return };
-                    depths.push(&[test, x, y, sample, z]);
-                }
-            } else if let Some(z) = values.next() {
-                depths.push(&[test, x, y, z]);
-            }
-        }
-    }
-
-    fn note_samples(&self, triangle: &Triangle, drawing: &Drawing, coverage: &mut Coverage) {
-        let triangle = triangle.normalised();
-        let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
-        let Ok(grid) = self.model.profile().grid() else { return };
-        if drawing.spans.is_empty() {
-            return;
-        }
-        let plane = depth.plane(&triangle, z, &grid);
-        let read = depth.read_out();
-        let octant = Coverage::octant(plane.dx, plane.dy);
-        for span in &drawing.spans {
-            for x in span.x0..span.x1 {
-                let value = plane.at(i128::from(x), i128::from(span.y));
-                let remainder = Coverage::remainder(value.cast_unsigned(), read.fraction());
-                coverage.note(octant, read.zone(value), remainder);
-            }
-        }
-    }
+/// A row of `triangle.exp`.
+fn summary(test: i128, (spans, samples): (usize, u64), drawing: &Drawing) -> [i128; 8] {
+    let count = |event| i128::from(drawing.events.total.count(event));
+    [
+        test,
+        spans as i128,
+        i128::from(samples),
+        count(Event::Wrap),
+        count(Event::ClampAbove),
+        count(Event::ClampBelow),
+        count(Event::Inexact),
+        i128::from(drawing.zero_area),
+    ]
 }
 
 impl Bench for TriangleBench {
@@ -328,6 +283,19 @@ impl Bench for TriangleBench {
         let slips = if self.model.ports().mask.is_none() { &QUIRKS[..] } else { &[] };
         for (quirk, name) in slips {
             list.push(((*name).to_owned(), Box::new(Self { quirk: *quirk, ..self.clone() })));
+        }
+        let with = |quirk| Box::new(Self { quirk, memory: Arc::default(), ..self.clone() });
+        if self.draws && self.engine(EngineSlip::LastRow).is_some() {
+            let edge = self.model.profile().form.edge().map_or(2, |edge| edge.width);
+            let read = self.model.depth().map(Depth::read_out);
+            for (slip, name) in EngineSlip::all(edge, read) {
+                list.push((name, with(Quirk::Engine(slip))));
+            }
+        }
+        if !self.draws && self.unit(SetupSlip::SignLost).is_some() {
+            for (slip, name) in SetupSlip::ALL {
+                list.push((name.to_owned(), with(Quirk::Setup(slip))));
+            }
         }
         list
     }

@@ -3,8 +3,6 @@
 mod body;
 mod quirk;
 
-pub use quirk::Quirk;
-
 use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::case::Words;
 use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
@@ -13,9 +11,10 @@ use crate::format::{Clamp, Column, Decode, ReadOut};
 use crate::profile::{Profile, neighbours};
 use crate::setup::Triangle;
 use crate::value::Depth;
+use crate::vector::bench::slip::Register;
 use crate::vector::table::Table;
-use quirk::QUIRKS;
-use std::sync::Arc;
+use quirk::{Quirk, quirks};
+use std::sync::{Arc, Mutex};
 
 /// Which stepper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +43,8 @@ pub struct WalkBench {
     /// How the device under this hypothesis reads out; for edges only its width counts.
     read: ReadOut,
     quirk: Quirk,
+    /// A slipping device's state before the test of that number.
+    memory: Arc<Mutex<Option<(u64, Register)>>>,
     /// The quick body, if the word fits a lane and the device is as specified.
     fast: Option<Fast>,
     directed: Arc<Vec<Directed>>,
@@ -97,6 +98,7 @@ impl WalkBench {
             width,
             read,
             quirk: Quirk::None,
+            memory: Arc::default(),
             fast: Self::fast(kind, read),
             directed: Arc::new(directed),
             scene: Arc::new(scene),
@@ -313,13 +315,9 @@ impl Bench for WalkBench {
                 list.push((neighbour.change, Box::new(bench)));
             }
         }
-        for (quirk, depth_name, edge_name) in QUIRKS {
-            let name = if self.kind == WalkKind::Edge && !edge_name.is_empty() {
-                edge_name
-            } else {
-                depth_name
-            };
-            list.push((name.to_owned(), Box::new(Self { quirk, fast: None, ..self.clone() })));
+        for (quirk, name) in quirks(self.kind, self.read) {
+            let memory = Arc::default();
+            list.push((name, Box::new(Self { quirk, memory, fast: None, ..self.clone() })));
         }
         list
     }

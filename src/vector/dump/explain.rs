@@ -67,12 +67,8 @@ fn in_fields(fields: &[(&'static str, u32)], word: u128) -> String {
     parts.join(" | ")
 }
 
-/// Single changes that make the whole dump agree, and how many were tried.
-pub(super) fn causes(
-    subject: &Subject,
-    dump: &Path,
-    short: bool,
-) -> Result<(Vec<String>, usize), DumpError> {
+/// Looks for the cause among the single changes that the bench knows.
+pub(super) fn causes(subject: &Subject, dump: &Path, short: bool) -> Result<Causes, DumpError> {
     let keyed = if subject.key() > 0 { Some(by_test(subject, dump)?.0) } else { None };
     let variants = subject.bench.variants();
     let mut causes = Vec::new();
@@ -86,7 +82,47 @@ pub(super) fn causes(
             causes.push(name.clone());
         }
     }
-    Ok((causes, variants.len()))
+    let lost = causes.is_empty() && is_part(subject, dump, keyed.as_ref())?;
+    Ok(Causes { named: causes, tried: variants.len(), lost })
+}
+
+/// What may be behind a dump.
+pub(super) struct Causes {
+    /// Single changes that make the whole dump agree.
+    pub(super) named: Vec<String>,
+    /// How many were tried.
+    pub(super) tried: usize,
+    /// Whether nothing is wrong but that rows are missing.
+    pub(super) lost: bool,
+}
+
+/// Whether the dump is the expectation with rows left out.
+fn is_part(subject: &Subject, dump: &Path, keyed: Option<&ByTest>) -> Result<bool, DumpError> {
+    let mut expected = Expected::new(subject);
+    let bench = &*subject.bench;
+    let none = Vec::new();
+    if let Some(map) = keyed {
+        let mut known = 0;
+        for (at, limit) in subject.tests() {
+            let rows = expected.rows(bench, at, limit);
+            let theirs = map.get(&u128::from(at.test)).unwrap_or(&none);
+            known += usize::from(!theirs.is_empty());
+            if !theirs.iter().all(|row| rows.iter().any(|words| agrees(words, row))) {
+                return Ok(false);
+            }
+        }
+        return Ok(known == map.len());
+    }
+    let mut reader = RowReader::open(dump, &subject.spec.columns)?;
+    let mut next = reader.next_row()?;
+    for (at, limit) in subject.tests() {
+        for words in expected.rows(bench, at, limit) {
+            if next.as_ref().is_some_and(|row| agrees(&words, row)) {
+                next = reader.next_row()?;
+            }
+        }
+    }
+    Ok(next.is_none())
 }
 
 fn explains_ordered(

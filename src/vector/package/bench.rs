@@ -2,28 +2,38 @@
 
 use super::Interface;
 use super::half::{Half, halves};
+use super::keyword::identifier;
 use super::record::Record;
+use super::rtl;
+use super::stream::{self, Stream, streams};
 use super::template::{fill, head};
 
 /// The SystemVerilog testbench.
 pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String {
     let halves = halves(interface, records);
-    if halves.is_empty() {
+    let streams = streams(interface, records);
+    if halves.is_empty() && streams.is_empty() {
         return head(interface, include_str!("tb.none.sv.in"));
     }
+    let names = halves.iter().map(|half| half.name).chain(streams.iter().map(|stream| stream.name));
+    let names: Vec<&str> = names.collect();
     let each = |between: &str, text: &dyn Fn(&str) -> String| {
-        halves.iter().map(|half| text(half.name)).collect::<Vec<_>>().join(between)
+        names.iter().map(|name| text(name)).collect::<Vec<_>>().join(between)
     };
+    let checks = halves.iter().map(Half::systemverilog);
+    let checks: String = checks.chain(streams.iter().map(Stream::systemverilog)).collect();
     let instances = each("\n", &|name| {
+        let scope = identifier(name);
         format!(
-            "    wire {name}_done;\n    wire [63:0] {name}_rows, {name}_mismatches;\n    {name}_check {name}_half (.clk(clk), .done({name}_done), .rows({name}_rows), .mismatches({name}_mismatches));\n"
+            "    wire {name}_done;\n    wire [63:0] {name}_rows, {name}_mismatches;\n    {name}_check {scope} (.clk(clk), .done({name}_done), .rows({name}_rows), .mismatches({name}_mismatches));\n"
         )
     });
     let text = fill(
         include_str!("tb.sv.in"),
         &[
-            ("HALVES", &halves.iter().map(Half::systemverilog).collect::<String>()),
+            ("HALVES", &checks),
             ("INSTANCES", &instances),
+            ("SCOPES", &each(", ", &identifier)),
             ("DONE", &each(" && ", &|name| format!("{name}_done"))),
             ("BAD", &each(" || ", &|name| format!("{name}_mismatches != 0"))),
             ("SUMMARY", &each("", &|name| format!(" {name} rows=%0d"))),
@@ -36,13 +46,17 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
 
 /// The SystemVerilog devices.
 pub(super) fn systemverilog_device(interface: &Interface, records: &[Record]) -> String {
-    device(
-        interface,
-        records,
-        include_str!("dut.sv.in"),
-        include_str!("dut.dda.sv.in"),
-        include_str!("dut.edge.sv.in"),
-    )
+    let halves = halves(interface, records);
+    let mut text = include_str!("dut.sv.in").to_owned();
+    text += &device(interface, &halves, rtl::module);
+    let have: Vec<&str> = halves.iter().map(|half| half.device).collect();
+    text += &stream::modules(interface, &streams(interface, records), &have);
+    head(interface, &text)
+}
+
+/// The cocotb scoreboard, which reads what it has to know from the manifest.
+pub(super) fn cocotb(interface: &Interface) -> String {
+    head(interface, include_str!("tb_cocotb.py.in"))
 }
 
 /// The VHDL testbench.
@@ -60,8 +74,9 @@ pub(super) fn vhdl(interface: &Interface, records: &[Record]) -> String {
         )
     });
     let instances = each("", &|name| {
+        let scope = identifier(name);
         format!(
-            "    {name}_half : entity work.{name}_check\n        port map (clk => clk, done => {name}_done, rows => {name}_rows, mismatches => {name}_mismatches);\n"
+            "    {scope} : entity work.{name}_check\n        generic map (DUMP => DUMP)\n        port map (clk => clk, done => {name}_done, rows => {name}_rows, mismatches => {name}_mismatches);\n"
         )
     });
     let text = fill(
@@ -89,21 +104,21 @@ pub(super) fn vhdl_device(interface: &Interface, records: &[Record]) -> String {
             &format!("{start}\npackage guardbit_no_device is\nend package guardbit_no_device;\n"),
         );
     }
-    device(
-        interface,
-        records,
-        start,
-        include_str!("dut.dda.vhd.in"),
-        include_str!("dut.edge.vhd.in"),
-    )
+    let halves = halves(interface, records);
+    head(interface, &(start.to_owned() + &device(interface, &halves, rtl::entity)))
 }
 
-fn device(interface: &Interface, records: &[Record], start: &str, dda: &str, edge: &str) -> String {
-    let mut text = start.to_owned();
-    for half in halves(interface, records) {
-        let width = format!("{}_{}_WIDTH", half.exp.constant(), half.state.constant());
-        let template = if half.name == "dda" { dda } else { edge };
-        text += &half.fill(template, &[("WIDTH", &width)]);
-    }
-    head(interface, &text)
+/// The device of each half, after an empty line.
+fn device(
+    interface: &Interface,
+    halves: &[Half],
+    text: fn(&str, &[(&str, i128)]) -> String,
+) -> String {
+    let mut values = rtl::clamp(&interface.clamp);
+    let texts = halves.iter().map(|half| {
+        values.retain(|(name, _)| *name != "M");
+        values.push(("M", half.state.column.width.into()));
+        format!("\n{}", text(half.device, &values))
+    });
+    texts.collect()
 }

@@ -8,7 +8,8 @@ use super::template::fill;
 pub(super) struct Half<'a> {
     /// `dda` or `edge`.
     pub(super) name: &'static str,
-    device: &'static str,
+    /// Its module or entity.
+    pub(super) device: &'static str,
     cfg: &'a Record<'a>,
     /// The file of expectations.
     pub(super) exp: &'a Record<'a>,
@@ -91,6 +92,7 @@ impl Half<'_> {
                 ("STATE_NAME", &self.state.column.name),
                 ("OUT_NAME", &self.output.column.name),
                 ("STATE_TOP", &state_top),
+                ("IN_TOP", &state_top),
                 ("OUT_TOP", &output_top),
             ],
         )
@@ -145,7 +147,7 @@ fn join<T: Copy>(items: &[T], between: &str, text: impl Fn(T) -> String) -> Stri
 }
 
 /// A constant of one byte a character: the separators' own codes, or 01 for each digit.
-fn text_mask(record: &Record, digits: bool) -> String {
+pub(super) fn text_mask(record: &Record, digits: bool) -> String {
     let byte = |c: char| {
         if (c == '0') == digits { if digits { 1 } else { u32::from(c) } } else { 0 }
     };
@@ -154,7 +156,7 @@ fn text_mask(record: &Record, digits: bool) -> String {
 }
 
 /// The nibbles of a decoded line, separators left out.
-fn pack(record: &Record, nibbles: &str) -> String {
+pub(super) fn pack(record: &Record, nibbles: &str) -> String {
     let places = record.shape().chars().rev().collect::<Vec<_>>();
     let digits = (0..places.len()).rev().filter(|&place| places[place] == '0');
     let parts: Vec<String> =

@@ -46,7 +46,7 @@ fn reserved(name: &str) -> bool {
 
 /// A legal identifier: lower case, no doubled, leading or trailing underscore (VHDL allows none),
 /// no leading digit, no reserved word.
-pub(super) fn identifier(name: &str) -> String {
+pub fn identifier(name: &str) -> String {
     let lower: String = name
         .chars()
         .map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' })

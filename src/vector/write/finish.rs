@@ -1,17 +1,19 @@
 //! The last of a set: scene, profile, packages, benches, and the manifest.
 
 use super::{Options, Part, SetRequest, file_name};
+use crate::cover::{EdgeStorage, FillRule};
 use crate::format::Clamp;
 use crate::model::MODEL_VERSION;
-use crate::profile::Profile;
+use crate::profile::{Form, Profile};
 use crate::scene::{self, lines};
-use crate::setup::Triangle;
+use crate::setup::{Division, Triangle};
+use crate::value::StartBias;
 use crate::vector::bench::Bench;
 use crate::vector::emit::Emitted;
 use crate::vector::manifest::{
     self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, sha256,
 };
-use crate::vector::package::{self, ClampParameters, FileLayout, Interface};
+use crate::vector::package::{self, ClampParameters, FileLayout, Interface, SetupParameters};
 use crate::vector::table::RowFormat;
 use std::fs::File;
 use std::io::{Error, Result, Write};
@@ -71,7 +73,32 @@ fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
             columns: file.columns.clone(),
         })
         .collect();
-    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, files }
+    let setup = setup(profile);
+    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, setup, files }
+}
+
+/// What the set-up of a set's devices is told; `None` where they cannot do the profile's.
+fn setup(profile: &Profile) -> Option<SetupParameters> {
+    let (Form::EdgeFunction(edge), Some(depth)) = (profile.form, profile.depth) else {
+        return None;
+    };
+    let plain =
+        profile.multisample.is_none() && profile.traversal.is_none() && depth.format.is_none();
+    if !plain || depth.division != Division::Quotient {
+        return None;
+    }
+    let grid = profile.grid().ok()?;
+    let vertex = &profile.vertex;
+    Some(SetupParameters {
+        signed: vertex.signed,
+        sub_pixel: vertex.sub_pixel,
+        sample: grid.offset,
+        shadow: edge.rule == FillRule::Shadow,
+        shift: if edge.storage == EdgeStorage::Shifted { vertex.sub_pixel } else { 0 },
+        edge: edge.width,
+        rounding: depth.rounding,
+        half: depth.start_bias == StartBias::Half,
+    })
 }
 
 /// What the manifest says of a bench: its groups that have tests, and what their rows hit.

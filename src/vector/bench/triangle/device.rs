@@ -1,10 +1,17 @@
 //! What a device draws and shows, as specified or with a slip.
 
 use super::TriangleBench;
+use super::engine::{Answer, Engine, EngineSlip};
 use super::quirk::Quirk;
-use super::word::setup_words;
+use super::setup::{SetupSlip, Unit};
+use super::word::{bounds, setup_words};
+use crate::format::Clamp;
 use crate::model::{Drawing, Span};
-use crate::setup::Triangle;
+use crate::profile::Form;
+use crate::setup::{Division, Triangle};
+use crate::value::Depth;
+use crate::vector::bench::locate;
+use std::sync::PoisonError;
 
 impl TriangleBench {
     pub(super) fn drawn(&self, triangle: &Triangle) -> Drawing {
@@ -60,13 +67,69 @@ impl TriangleBench {
     }
 
     /// Set-up words as the device under this hypothesis shows them.
-    pub(super) fn device_words(&self, drawing: &Drawing) -> Vec<i128> {
+    pub(super) fn device_words(&self, triangle: &Triangle, drawing: &Drawing) -> Vec<i128> {
         let mut words = setup_words(&self.model, drawing);
+        if let Quirk::Setup(slip) = self.quirk
+            && let Some(slipped) =
+                self.unit(slip).zip(triangle.z).map(|(u, z)| u.words(triangle, z))
+        {
+            return slipped;
+        }
         if self.quirk == Quirk::ZeroExtended {
             for (word, column) in words.iter_mut().zip(&self.model.ports().setup) {
                 *word &= (u128::MAX >> (128 - column.width)).cast_signed();
             }
         }
         words
+    }
+
+    /// The set-up of this profile with a slip; `None` where a plain unit does not do it.
+    pub(super) fn unit(&self, slip: SetupSlip) -> Option<Unit<'_>> {
+        let profile = self.model.profile();
+        let Form::EdgeFunction(edge) = profile.form else { return None };
+        let depth = self.model.depth().filter(|depth| depth.config().format.is_none())?;
+        let plain = profile.multisample.is_none() && depth.config().division == Division::Quotient;
+        Some(Unit { slip, edge, depth, grid: profile.grid().ok()? }).filter(|_| plain)
+    }
+
+    /// The engine of this profile with a slip; `None` where a plain engine does not do it.
+    pub(super) fn engine(&self, slip: EngineSlip) -> Option<Engine> {
+        let profile = self.model.profile();
+        let Form::EdgeFunction(edge) = profile.form else { return None };
+        let depth = self.model.depth();
+        let plain = profile.multisample.is_none()
+            && depth.is_none_or(|depth| {
+                let clamp = depth.read_out().clamp();
+                depth.config().format.is_none() && !matches!(clamp, Clamp::Saturate | Clamp::Error)
+            });
+        let read = depth.map(Depth::read_out);
+        plain.then_some(Engine { slip, edge_width: edge.width, read })
+    }
+
+    /// What an engine with a slip answers.
+    pub(super) fn slipped(&self, slip: EngineSlip, triangle: &Triangle, test: u64) -> Answer {
+        let Some(engine) = self.engine(slip) else { return Answer::default() };
+        let draw = |triangle: &Triangle| {
+            let drawing = self.drawn(triangle);
+            if drawing.zero_area {
+                return Answer::default();
+            }
+            engine.draw(&setup_words(&self.model, &drawing), bounds(&self.model, triangle))
+        };
+        let mut answer = draw(triangle);
+        if slip == EngineSlip::CountLarge && answer.samples == 0 {
+            answer.samples = 1;
+        }
+        if slip == EngineSlip::CountKept {
+            let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
+            let before = memory.filter(|(next, _)| *next == test).map(|(_, samples)| samples);
+            let before = before.unwrap_or_else(|| {
+                let earlier = (0..test).filter_map(|test| locate(&self.groups, test));
+                earlier.map(|at| draw(&self.triangle_at(at)).samples).sum()
+            });
+            answer.samples += before;
+            *memory = Some((test + 1, answer.samples));
+        }
+        answer
     }
 }

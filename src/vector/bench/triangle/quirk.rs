@@ -1,5 +1,8 @@
 //! Slips of a triangle engine that no profile describes.
 
+use super::engine::EngineSlip;
+use super::setup::SetupSlip;
+
 /// A defect that no profile describes, applied to what was drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Quirk {
@@ -10,6 +13,10 @@ pub(super) enum Quirk {
     NoSwap,
     /// Words narrower than the set's come with zeros above them, not with their sign.
     ZeroExtended,
+    /// In an engine that takes set-up words.
+    Engine(EngineSlip),
+    /// In the set-up.
+    Setup(SetupSlip),
 }
 
 pub(super) const QUIRKS: [(Quirk, &str); 4] = [

@@ -6,8 +6,10 @@ use crate::bits::{Event, Lane};
 use crate::case::walk::Walk;
 use crate::dda::{Op, Walker};
 use crate::format::Decode;
+use crate::vector::bench::slip::{Register, SignSlip, Slip};
 use crate::vector::bench::{Coverage, locate};
 use crate::vector::table::Table;
+use std::sync::PoisonError;
 
 impl WalkBench {
     /// The quick body of a depth walk: lane words, clamps by threshold.
@@ -98,7 +100,8 @@ impl WalkBench {
                 walker
             }
         };
-        (walker.pattern().cast_signed(), self.result(&walker))
+        let pattern = walker.pattern();
+        (pattern.cast_signed(), self.result(pattern, walker.out()))
     }
 
     /// The plain body: any width, any clamp, any quirk.
@@ -109,15 +112,18 @@ impl WalkBench {
         table: &mut Table,
         coverage: &mut Coverage,
     ) {
+        if let Quirk::Word(slip) = self.quirk {
+            self.emit_slipped(walk, (test, rows), slip, table);
+            return;
+        }
         let quirk = self.quirk;
         let mut walker = self.walker(walk);
         let octant = Coverage::octant(signed(walk.dx, self.width), signed(walk.dy, self.width));
         let mut before = self.left_before(test);
         for n in 0..rows {
             let op = walk.op(n);
-            let done = if quirk == Quirk::HoldSteps && op == Op::Hold { Op::StepX } else { op };
-            walker.clock(done);
-            let now = (walker.pattern().cast_signed(), self.result(&walker));
+            walker.clock(op);
+            let now = (walker.pattern().cast_signed(), self.result(walker.pattern(), walker.out()));
             let (acc, out) = match quirk {
                 Quirk::Late => before,
                 Quirk::LateOut => (now.0, before.1),
@@ -138,26 +144,43 @@ impl WalkBench {
         }
     }
 
-    fn result(&self, walker: &Walker) -> u64 {
-        let pattern = walker.pattern();
+    /// The rows of a device whose accumulator slips; it remembers what the test before left.
+    fn emit_slipped(&self, walk: &Walk, (test, rows): (u64, u32), slip: Slip, table: &mut Table) {
+        let fresh = || Register::new(Some(slip), self.read.width());
+        let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
+        let kept = memory.take().filter(|(next, _)| *next == test).map(|(_, register)| register);
+        let mut register = kept.unwrap_or_else(|| {
+            let mut register = fresh();
+            let first = if slip.forgets() { test } else { 0 };
+            for at in (first..test).filter_map(|test| locate(&self.groups, test)) {
+                let walk = self.walk(at);
+                (0..walk.rows).for_each(|n| self.clock(&mut register, &walk, n));
+            }
+            register
+        });
+        for n in 0..rows {
+            self.clock(&mut register, walk, n);
+            let pattern = register.pattern;
+            let out = self.result(pattern, self.read.read(pattern.cast_signed()));
+            table.push(&[walk.op(n) as i128, pattern.cast_signed(), i128::from(out)]);
+        }
+        *memory = Some((test + 1, register));
+    }
+
+    fn clock(&self, register: &mut Register, walk: &Walk, n: u32) {
+        let words = [walk.init, walk.dx, walk.dy].map(|word| signed(word, self.width));
+        register.clock(walk.op(n), words);
+    }
+
+    /// What is read from an accumulator; `out` is what a read-out as specified gives.
+    fn result(&self, pattern: u128, out: u64) -> u64 {
         match (self.kind, self.quirk) {
             (WalkKind::Edge, quirk) => {
-                let inside = pattern >> (self.read.width() - 1) == 0;
-                match quirk {
-                    Quirk::OtherTie => u64::from(inside && pattern != 0),
-                    Quirk::Inverted => u64::from(!inside),
-                    _ => u64::from(inside),
-                }
+                let slip = if let Quirk::Sign(slip) = quirk { Some(slip) } else { None };
+                u64::from(SignSlip::inside(slip, self.read.width(), pattern))
             }
-            (WalkKind::Depth, Quirk::OtherTie) if self.read.fraction() > 0 => {
-                self.read.read(pattern.cast_signed() + (1 << (self.read.fraction() - 1)))
-            }
-            (WalkKind::Depth, Quirk::Inverted) => match self.read.zone(pattern.cast_signed()) {
-                1 => 0,
-                2 => self.read.maximum(),
-                _ => walker.out(),
-            },
-            _ => walker.out(),
+            (WalkKind::Depth, Quirk::Read(slip)) => slip.read(self.read, pattern),
+            (WalkKind::Depth, _) => out,
         }
     }
 
@@ -182,7 +205,13 @@ impl WalkBench {
                     .filter(|event| self.read.status(self.read.reduce(pattern)).has(**event))
                     .fold(0, |flags, event| flags | 1 << *event as u32)
             };
-            table.push(&[before, addend, pattern, i128::from(self.result(&walker)), flags]);
+            table.push(&[
+                before,
+                addend,
+                pattern,
+                i128::from(self.result(walker.pattern(), walker.out())),
+                flags,
+            ]);
         }
     }
 }

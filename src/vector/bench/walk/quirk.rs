@@ -1,8 +1,12 @@
-//! Slips of a device that no profile describes.
+//! Slips of a walking device that no profile describes.
+
+use super::WalkKind;
+use crate::format::{Clamp, ReadOut};
+use crate::vector::bench::slip::{ReadSlip, SignSlip, Slip};
 
 /// A defect of a device that no profile describes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Quirk {
+pub(super) enum Quirk {
     /// None: as specified.
     None,
     /// Each row shows the state before its clock edge.
@@ -11,35 +15,44 @@ pub enum Quirk {
     LateOut,
     /// dx and dy change places.
     Swapped,
-    /// A hold steps by dx.
-    HoldSteps,
     /// Steps subtract.
     Negated,
     /// dy is ignored in favour of dx.
     OnlyX,
-    /// The read-out rounds to nearest instead of truncating (depth); the zero of an edge word
-    /// counts as outside (edge).
-    OtherTie,
-    /// The read-out is inverted: clamps to the wrong ends (depth), inside for outside (edge).
-    Inverted,
+    /// In the accumulator.
+    Word(Slip),
+    /// In the read-out.
+    Read(ReadSlip),
+    /// In the sign test.
+    Sign(SignSlip),
 }
 
 /// The quirks tried in diagnosis, and what each is called.
-pub(super) const QUIRKS: [(Quirk, &str, &str); 8] = [
-    (Quirk::Late, "an off-by-one step: each row shows the state before its clock edge", ""),
-    (
-        Quirk::LateOut,
-        "the read-out lags the accumulator by one clock",
-        "the sign test lags the edge word by one clock",
-    ),
-    (Quirk::Swapped, "dx and dy are swapped", ""),
-    (Quirk::HoldSteps, "a hold steps by dx", ""),
-    (Quirk::Negated, "steps subtract instead of adding", ""),
-    (Quirk::OnlyX, "a step down adds dx instead of dy", ""),
-    (
-        Quirk::OtherTie,
-        "the read-out rounds to nearest instead of truncating",
-        "an edge word of zero counts as outside",
-    ),
-    (Quirk::Inverted, "the clamp goes to the wrong end", "inside and outside are exchanged"),
-];
+pub(super) fn quirks(kind: WalkKind, read: ReadOut) -> Vec<(Quirk, String)> {
+    let lag = match kind {
+        WalkKind::Depth => "the read-out lags the accumulator by one clock",
+        WalkKind::Edge => "the sign test lags the edge word by one clock",
+    };
+    let mut list: Vec<(Quirk, String)> = [
+        (Quirk::Late, "an off-by-one step: each row shows the state before its clock edge"),
+        (Quirk::LateOut, lag),
+        (Quirk::Swapped, "dx and dy are swapped"),
+        (Quirk::Negated, "steps subtract instead of adding"),
+        (Quirk::OnlyX, "a step down adds dx instead of dy"),
+    ]
+    .map(|(quirk, name)| (quirk, name.to_owned()))
+    .to_vec();
+    // What holds the accumulator hides these.
+    if read.clamp() != Clamp::Saturate {
+        list.extend(Slip::all(read.width()).map(|slip| (Quirk::Word(slip), slip.text())));
+    }
+    match kind {
+        WalkKind::Depth => list.extend(
+            ReadSlip::all(read).into_iter().map(|slip| (Quirk::Read(slip), slip.text().to_owned())),
+        ),
+        WalkKind::Edge => {
+            list.extend(SignSlip::ALL.map(|(slip, name)| (Quirk::Sign(slip), name.to_owned())));
+        }
+    }
+    list
+}

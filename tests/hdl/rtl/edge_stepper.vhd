@@ -1,12 +1,12 @@
-
--- Walks an edge function: start, then steps of its two coefficients; inside is a clear sign bit.
+-- Edge function stepper: a word and its two steps; inside is a clear sign bit. Spec: edges E and C.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-use work.guardbit_pkg.all;
 
 entity edge_stepper is
-    generic (M : positive := @WIDTH@);
+    generic (
+        M    : natural := 35   -- bits of an edge word
+    );
     port (
         clk  : in  std_logic;
         rst  : in  std_logic;
@@ -15,7 +15,7 @@ entity edge_stepper is
         ea   : in  std_logic_vector(M - 1 downto 0);
         eb   : in  std_logic_vector(M - 1 downto 0);
         e    : out std_logic_vector(M - 1 downto 0);  -- state after the clock edge
-        @OUT@ : out std_logic
+        in_v : out std_logic
     );
 end entity edge_stepper;
 
@@ -29,9 +29,9 @@ begin
                 state <= (others => '0');
             else
                 case op is
-                    when OP_LOAD => state <= unsigned(e0);
-                    when OP_STEP_X => state <= state + unsigned(ea);
-                    when OP_STEP_Y => state <= state + unsigned(eb);
+                    when "00" => state <= unsigned(e0);
+                    when "01" => state <= state + unsigned(ea);
+                    when "10" => state <= state + unsigned(eb);
                     when others => null;
                 end case;
             end if;
@@ -39,5 +39,5 @@ begin
     end process step;
 
     e <= std_logic_vector(state);
-    @OUT@ <= not state(M - 1);
+    in_v <= not state(M - 1);
 end architecture rtl;

@@ -1,0 +1,167 @@
+/* guardbit: the live model for simulators. Generated from bindings/c/src; do not edit. */
+
+#ifndef GUARDBIT_H
+#define GUARDBIT_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+/*
+ The handle is of nothing that is open, or of something of another kind.
+ */
+#define GUARDBIT_HANDLE -1
+
+/*
+ A pointer is null.
+ */
+#define GUARDBIT_NULL -2
+
+/*
+ An argument is outside its range.
+ */
+#define GUARDBIT_ARGUMENT -3
+
+/*
+ The profile cannot be read, or is refused.
+ */
+#define GUARDBIT_PROFILE -4
+
+/*
+ The profile refuses what is to be drawn.
+ */
+#define GUARDBIT_REFUSED -5
+
+/*
+ A defect of this library.
+ */
+#define GUARDBIT_INTERNAL -6
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+/*
+ Version of this interface; it grows when a function changes its meaning.
+ */
+int32_t guardbit_interface(void);
+
+/*
+ Copies what this thread's last failed call said, ended by a zero and cut to `size` bytes, and
+ returns the bytes that the whole message has without its zero.
+
+ # Safety
+ `buffer` is null or leads to `size` bytes.
+ */
+int32_t guardbit_message(char *buffer, uintptr_t size);
+
+/*
+ `guardbit_clock` for words as `std_logic_vector(127 downto 0)`, one byte a bit, the highest
+ first; a bit that is neither 0 nor 1 is an error.
+
+ # Safety
+ Each pointer is null or leads to 128 bytes.
+ */
+int32_t guardbit_clock_logic(int32_t walk,
+                             int32_t op,
+                             const uint8_t *init,
+                             const uint8_t *dx,
+                             const uint8_t *dy,
+                             uint8_t *acc,
+                             uint8_t *out);
+
+/*
+ Opens a model by the name of a built-in profile or the path of a TOML file, and returns its
+ handle.
+
+ # Safety
+ `profile` is null or leads to bytes that a zero ends.
+ */
+int32_t guardbit_open(const char *profile);
+
+/*
+ Closes a model or a walk.
+ */
+int32_t guardbit_close(int32_t handle);
+
+/*
+ Draws a triangle: x, y and z of each vertex on the profile's grid and in depth codes; z is
+ ignored by a profile without depth. Returns the number of covered runs.
+
+ # Safety
+ `vertices` is null or leads to nine numbers.
+ */
+int32_t guardbit_draw(int32_t model, const int64_t *vertices);
+
+/*
+ Run `index` of the last drawing as y, x0, x1, half open.
+
+ # Safety
+ `run` is null or leads to three numbers.
+ */
+int32_t guardbit_span(int32_t model, uint32_t index, uint32_t *run);
+
+/*
+ Copies `count` depths of the last drawing from covered sample `first` on, run by run.
+
+ # Safety
+ `depths` is null or leads to `count` numbers.
+ */
+int32_t guardbit_depth(int32_t model, uint64_t first, uint32_t count, uint64_t *depths);
+
+/*
+ Word `index` of the last drawing's set-up, reduced to its column; returns the column's width.
+
+ # Safety
+ `word` is null or leads to four parts.
+ */
+int32_t guardbit_setup(int32_t model, uint32_t index, uint32_t *word);
+
+/*
+ Copies the name of set-up column `index`, ended by a zero and cut to `size` bytes; returns the
+ column's width.
+
+ # Safety
+ `name` is null or leads to `size` bytes.
+ */
+int32_t guardbit_column(int32_t model, uint32_t index, char *name, uintptr_t size);
+
+/*
+ Opens a walk of a model, all zeros: kind 0 is its depth accumulator, 1 its edge word. Returns
+ the walk's handle; `guardbit_close` closes it.
+ */
+int32_t guardbit_walk(int32_t model, uint32_t kind);
+
+/*
+ One clock edge of a walk: op 0 loads `init`, 1 adds `dx`, 2 adds `dy`, 3 holds. `acc` and `out`
+ take the state after it: the accumulator, and its read-out or 1 for inside.
+
+ # Safety
+ Each pointer is null or leads to four parts.
+ */
+int32_t guardbit_clock(int32_t walk,
+                       uint32_t op,
+                       const uint32_t *init,
+                       const uint32_t *dx,
+                       const uint32_t *dy,
+                       uint32_t *acc,
+                       uint32_t *out);
+
+/*
+ The same for words of at most 64 bits.
+
+ # Safety
+ Each pointer is null or leads to one word.
+ */
+int32_t guardbit_clock64(int32_t walk,
+                         uint32_t op,
+                         uint64_t init,
+                         uint64_t dx,
+                         uint64_t dy,
+                         uint64_t *acc,
+                         uint64_t *out);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* GUARDBIT_H */

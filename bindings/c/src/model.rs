@@ -1,0 +1,197 @@
+//! Models: a profile ready to draw, and what it drew last.
+
+use crate::table::Table;
+use crate::walk::WALKS;
+use crate::{
+    Failure, GUARDBIT_ARGUMENT, GUARDBIT_PROFILE, GUARDBIT_REFUSED, answer, null, word_out,
+};
+use guardbit::model::{Drawing, Model};
+use guardbit::profile;
+use guardbit::setup::Triangle;
+use std::ffi::{CStr, c_char};
+
+/// A model and its last drawing.
+pub(crate) struct Open {
+    pub(crate) model: Model,
+    drawing: Drawing,
+}
+
+pub(crate) static MODELS: Table<Open> = Table::new("model", 0);
+
+/// Opens a model by the name of a built-in profile or the path of a TOML file, and returns its
+/// handle.
+///
+/// # Safety
+/// `profile` is null or leads to bytes that a zero ends.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_open(profile: *const c_char) -> i32 {
+    answer(|| {
+        if profile.is_null() {
+            return Err(null("profile"));
+        }
+        // SAFETY: not null, and the caller ends it by a zero.
+        let name = unsafe { CStr::from_ptr(profile) };
+        let name = name.to_str().map_err(|error| {
+            Failure::new(GUARDBIT_ARGUMENT, format!("the profile's name is not UTF-8: {error}"))
+        })?;
+        let refuse =
+            |error: &dyn std::fmt::Display| Failure::new(GUARDBIT_PROFILE, error.to_string());
+        let profile = profile::load(name).map_err(|error| refuse(&error))?;
+        let model = Model::new(&profile).map_err(|error| refuse(&error))?;
+        MODELS.open(Open { model, drawing: Drawing::default() })
+    })
+}
+
+/// Closes a model or a walk.
+#[unsafe(no_mangle)]
+pub extern "C" fn guardbit_close(handle: i32) -> i32 {
+    answer(|| match MODELS.close(handle) {
+        Ok(()) => Ok(0),
+        Err(failure) => WALKS.close(handle).map_or(Err(failure), |()| Ok(0)),
+    })
+}
+
+/// Draws a triangle: x, y and z of each vertex on the profile's grid and in depth codes; z is
+/// ignored by a profile without depth. Returns the number of covered runs.
+///
+/// # Safety
+/// `vertices` is null or leads to nine numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_draw(model: i32, vertices: *const i64) -> i32 {
+    answer(|| {
+        if vertices.is_null() {
+            return Err(null("vertices"));
+        }
+        // SAFETY: not null, and the caller gives nine numbers.
+        let numbers = unsafe { std::slice::from_raw_parts(vertices, 9) };
+        let at = |n: usize| i128::from(numbers[n]);
+        let xy = [0, 3, 6].map(|n| [at(n), at(n + 1)]);
+        MODELS.with(model, |open| {
+            let z = open.model.depth().is_some().then(|| [at(2), at(5), at(8)]);
+            let refuse = |text: String| Failure::new(GUARDBIT_REFUSED, text);
+            open.model.accept(&xy).map_err(|error| refuse(error.to_string()))?;
+            if let (Some(z), Some(depth)) = (z, open.model.depth()) {
+                let most = (1i128 << depth.read_out().integer()) - 1;
+                if let Some(code) = z.iter().find(|code| !(0..=most).contains(*code)) {
+                    return Err(refuse(format!(
+                        "z = {code} is outside the depth codes 0 to {most}"
+                    )));
+                }
+            }
+            open.drawing.clear();
+            let drawn = open.model.draw(&Triangle { xy, z }, &mut open.drawing);
+            if let Err(error) = drawn {
+                open.drawing.clear();
+                return Err(refuse(error.to_string()));
+            }
+            Ok(i32::try_from(open.drawing.spans.len()).unwrap_or(i32::MAX))
+        })
+    })
+}
+
+/// Run `index` of the last drawing as y, x0, x1, half open.
+///
+/// # Safety
+/// `run` is null or leads to three numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_span(model: i32, index: u32, run: *mut u32) -> i32 {
+    answer(|| {
+        if run.is_null() {
+            return Err(null("run"));
+        }
+        let span = MODELS.with(model, |open| {
+            let spans = &open.drawing.spans;
+            let span = spans.get(index as usize).copied();
+            span.ok_or_else(|| few("index", index.into(), spans.len(), "runs"))
+        })?;
+        // SAFETY: not null, and the caller gives three numbers.
+        let run = unsafe { std::slice::from_raw_parts_mut(run, 3) };
+        run.copy_from_slice(&[span.y, span.x0, span.x1]);
+        Ok(0)
+    })
+}
+
+/// Copies `count` depths of the last drawing from covered sample `first` on, run by run.
+///
+/// # Safety
+/// `depths` is null or leads to `count` numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_depth(
+    model: i32,
+    first: u64,
+    count: u32,
+    depths: *mut u64,
+) -> i32 {
+    answer(|| {
+        if depths.is_null() {
+            return Err(null("depths"));
+        }
+        MODELS.with(model, |open| {
+            let held = &open.drawing.depth;
+            let begin = usize::try_from(first).unwrap_or(usize::MAX);
+            let end = begin.saturating_add(count as usize);
+            let Some(part) = held.get(begin..end) else {
+                return Err(few("first + count", end as u64, held.len(), "depths"));
+            };
+            // SAFETY: not null, and the caller gives `count` numbers.
+            let depths = unsafe { std::slice::from_raw_parts_mut(depths, count as usize) };
+            depths.copy_from_slice(part);
+            Ok(0)
+        })
+    })
+}
+
+/// Word `index` of the last drawing's set-up, reduced to its column; returns the column's width.
+///
+/// # Safety
+/// `word` is null or leads to four parts.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_setup(model: i32, index: u32, word: *mut u32) -> i32 {
+    answer(|| {
+        let (width, value) = MODELS.with(model, |open| {
+            let columns = &open.model.ports().setup;
+            let found = columns.get(index as usize).zip(open.drawing.setup.get(index as usize));
+            let none = || few("index", index.into(), open.drawing.setup.len(), "set-up words");
+            found.map(|(column, value)| (column.width, *value)).ok_or_else(none)
+        })?;
+        let value = value.cast_unsigned() & (u128::MAX >> (128 - width));
+        // SAFETY: as the caller promises.
+        unsafe { word_out(word, "word", value) }?;
+        Ok(i32::try_from(width).unwrap_or(0))
+    })
+}
+
+/// Copies the name of set-up column `index`, ended by a zero and cut to `size` bytes; returns the
+/// column's width.
+///
+/// # Safety
+/// `name` is null or leads to `size` bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_column(
+    model: i32,
+    index: u32,
+    name: *mut c_char,
+    size: usize,
+) -> i32 {
+    answer(|| {
+        if name.is_null() || size == 0 {
+            return Err(null("name"));
+        }
+        MODELS.with(model, |open| {
+            let columns = &open.model.ports().setup;
+            let none = || few("index", index.into(), columns.len(), "set-up columns");
+            let column = columns.get(index as usize).ok_or_else(none)?;
+            let length = column.name.len().min(size - 1);
+            // SAFETY: not null, and the caller gives `size` bytes.
+            let name = unsafe { std::slice::from_raw_parts_mut(name.cast::<u8>(), length + 1) };
+            name[..length].copy_from_slice(&column.name.as_bytes()[..length]);
+            name[length] = 0;
+            Ok(i32::try_from(column.width).unwrap_or(0))
+        })
+    })
+}
+
+fn few(name: &str, got: u64, have: usize, what: &str) -> Failure {
+    let text = format!("{name} = {got}: there are {have} {what}");
+    Failure::new(GUARDBIT_ARGUMENT, text)
+}

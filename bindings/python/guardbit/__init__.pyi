@@ -1,0 +1,36 @@
+from typing import Sequence
+
+Vertex = tuple[int, int, int]
+
+class Drawing:
+    """What drawing a triangle gave."""
+
+    rows: list[tuple[int, int, int]]
+    """Covered runs y, x0, x1, half open, in the order of y then x."""
+    z: list[int]
+    """Depth of each covered sample, run by run."""
+    setup: list[tuple[str, int]]
+    """Set-up words by the names of their columns, reduced to their widths."""
+    zero_area: bool
+
+class Model:
+    """A profile ready to draw."""
+
+    def __init__(self, name: str) -> None:
+        """Takes a built-in name or the path of a TOML file; ValueError if it is refused."""
+    @property
+    def name(self) -> str: ...
+    def draw(self, vertices: Sequence[Vertex]) -> Drawing:
+        """Draws x, y on the profile's grid and z in depth codes (ignored without depth); ValueError
+        if a vertex is outside its field or the profile refuses."""
+    def depth_walk(self) -> Walk: ...
+    def edge_walk(self) -> Walk: ...
+
+class Walk:
+    """An accumulator with its read-out, or an edge word with its sign test, all zeros at first."""
+
+    @property
+    def width(self) -> int: ...
+    def clock(self, op: int, init: int, dx: int, dy: int) -> tuple[int, int]:
+        """One clock edge: op 0 loads init, 1 adds dx, 2 adds dy, 3 holds. Returns the word after it
+        and its read-out, or 1 for inside. Words are taken mod 2^width."""

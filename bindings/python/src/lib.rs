@@ -1,0 +1,118 @@
+//! The live model for Python. What each thing is, is in `guardbit/__init__.pyi`.
+
+use guardbit::dda::{Op, Walker};
+use guardbit::format::{Clamp, ReadOut};
+use guardbit::model::Drawing;
+use guardbit::profile;
+use guardbit::setup::Triangle;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+/// A refusal as Python's ValueError.
+fn refuse(error: impl ToString) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}
+
+#[pyclass(frozen)]
+struct Model(guardbit::model::Model);
+
+/// What drawing a triangle gave.
+#[pyclass(frozen, get_all, name = "Drawing")]
+struct Answer {
+    rows: Vec<(u32, u32, u32)>,
+    z: Vec<u64>,
+    setup: Vec<(String, u128)>,
+    zero_area: bool,
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    fn new(name: &str) -> PyResult<Self> {
+        let profile = profile::load(name).map_err(refuse)?;
+        Ok(Self(guardbit::model::Model::new(&profile).map_err(refuse)?))
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.0.profile().name
+    }
+
+    fn draw(&self, vertices: [[i64; 3]; 3]) -> PyResult<Answer> {
+        let xy = vertices.map(|[x, y, _]| [i128::from(x), i128::from(y)]);
+        let depth = self.0.depth();
+        let z = depth.map(|_| vertices.map(|[.., z]| i128::from(z)));
+        self.0.accept(&xy).map_err(refuse)?;
+        if let (Some(z), Some(depth)) = (z, depth) {
+            let most = depth.read_out().maximum();
+            if let Some(code) = z.iter().find(|code| !(0..=i128::from(most)).contains(*code)) {
+                return Err(refuse(format!("z = {code} is outside the depth codes 0 to {most}")));
+            }
+        }
+        let mut drawing = Drawing::default();
+        self.0.draw(&Triangle { xy, z }, &mut drawing).map_err(refuse)?;
+        let setup = self.0.ports().setup.iter().zip(&drawing.setup).map(|(column, word)| {
+            let mask = u128::MAX >> (128 - column.width);
+            (column.name.clone(), word.cast_unsigned() & mask)
+        });
+        Ok(Answer {
+            rows: drawing.spans.iter().map(|span| (span.y, span.x0, span.x1)).collect(),
+            setup: setup.collect(),
+            z: drawing.depth,
+            zero_area: drawing.zero_area,
+        })
+    }
+
+    fn depth_walk(&self) -> PyResult<Walk> {
+        let depth = self.0.depth().ok_or_else(|| refuse("this profile has no depth"))?;
+        Ok(Walk::over(depth.read_out(), false))
+    }
+
+    fn edge_walk(&self) -> PyResult<Walk> {
+        let none = || refuse("this profile has no edge words");
+        let edge = self.0.profile().form.edge().ok_or_else(none)?;
+        let integer = edge.width.min(64);
+        let read = ReadOut::new(edge.width - integer, integer, 0, Clamp::Wrap).map_err(refuse)?;
+        Ok(Walk::over(read, true))
+    }
+}
+
+#[pyclass]
+struct Walk {
+    walker: Walker,
+    width: u32,
+    edge: bool,
+}
+
+impl Walk {
+    fn over(read: ReadOut, edge: bool) -> Self {
+        Self { walker: Walker::new(read, 0, 0, 0), width: read.width(), edge }
+    }
+}
+
+#[pymethods]
+impl Walk {
+    #[getter]
+    fn width(&self) -> u32 {
+        self.width
+    }
+
+    fn clock(&mut self, op: u64, init: i128, dx: i128, dy: i128) -> PyResult<(u128, u64)> {
+        if op > 3 {
+            let text = format!("op = {op}: 0 load, 1 step by dx, 2 step by dy, 3 hold");
+            return Err(refuse(text));
+        }
+        self.walker.rewire(init, dx, dy);
+        self.walker.clock(Op::from_code(op));
+        let pattern = self.walker.pattern();
+        let inside = u64::from(pattern >> (self.width - 1) == 0);
+        Ok((pattern, if self.edge { inside } else { self.walker.out() }))
+    }
+}
+
+#[pymodule]
+fn _guardbit(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Model>()?;
+    module.add_class::<Answer>()?;
+    module.add_class::<Walk>()
+}

@@ -1,0 +1,51 @@
+"""The package: words as the model's, and refusals that say why."""
+
+import guardbit
+import pytest
+
+
+def test_a_triangle_is_drawn():
+    model = guardbit.Model("tiny")
+    assert model.name == "tiny"
+    drawing = model.draw([(0, 0, 0), (8, 0, 7), (0, 8, 7)])
+    # x + y < 8 in half pixels: the sample of pixel (x, y) is at (2x + 1, 2y + 1).
+    assert drawing.rows == [(0, 0, 3), (1, 0, 2), (2, 0, 1)]
+    assert len(drawing.z) == 6
+    assert not drawing.zero_area
+    # E0 = 8 * (1 - 0) = 8 at the sample, kept without its lowest bit; a top edge owns its samples.
+    assert dict(drawing.setup)["e0"] == 4
+
+
+def test_a_walk_wraps_and_reads_out():
+    walk = guardbit.Model("tiny").depth_walk()
+    assert walk.width == 7
+    assert walk.clock(0, 8, 0, 0) == (8, 1)
+    assert walk.clock(1, 0, 56, 0) == (64, 7)
+    # 1 guard bit over 3 integer bits: pattern 1100 is the first that counts as below zero.
+    assert walk.clock(1, 0, 32, 0) == (96, 0)
+    assert walk.clock(3, 0, 1, 1) == (96, 0)
+
+
+def test_an_edge_is_inside_when_its_sign_is_clear():
+    walk = guardbit.Model("sgi-4k").edge_walk()
+    assert walk.clock(0, 0, 0, 0) == (0, 1)
+    assert walk.clock(1, 0, -1, 0) == ((1 << 35) - 1, 0)
+
+
+@pytest.mark.parametrize(
+    "call, says",
+    [
+        (lambda: guardbit.Model("nothing"), "nothing"),
+        (lambda: guardbit.Model("tiny").draw([(-1, 0, 0), (8, 0, 7), (0, 8, 7)]), "-1"),
+        (lambda: guardbit.Model("tiny").draw([(0, 0, 8), (8, 0, 7), (0, 8, 7)]), "z = 8"),
+        (lambda: guardbit.Model("tiny").depth_walk().clock(4, 0, 0, 0), "op = 4"),
+    ],
+)
+def test_what_is_wrong_is_said(call, says):
+    with pytest.raises(ValueError, match=says):
+        call()
+
+
+def test_wrong_types_are_type_errors():
+    with pytest.raises(TypeError):
+        guardbit.Model("tiny").draw([(0.5, 0, 0), (8, 0, 7), (0, 8, 7)])

@@ -1,0 +1,152 @@
+//! A plain set-up unit with a slip: edge functions and an exact quotient, divided bit by bit.
+
+use crate::bits::Rounding;
+use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleGrid};
+use crate::setup::Triangle;
+use crate::value::Depth;
+
+/// A defect of a set-up unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum SetupSlip {
+    SignLost,
+    OneBitShort,
+    StrictFit,
+    TiesToOdd,
+    NoBias,
+    AlwaysBias,
+    BottomOwns,
+    Unturned,
+    SlopesSwapped,
+    StepsSwapped,
+    StepSignA,
+    StepSignB,
+    ZeroAreaWords,
+    SlopesShort,
+}
+
+impl SetupSlip {
+    pub(super) const ALL: [(Self, &'static str); 14] = [
+        (Self::SignLost, "quotients lose their sign"),
+        (Self::OneBitShort, "the divider stops one bit early"),
+        (
+            Self::StrictFit,
+            "the divider subtracts only if strictly above: exact quotients come out one too small, before rounding",
+        ),
+        (Self::TiesToOdd, "in division, ties go to the odd neighbour"),
+        (Self::NoBias, "no bias: edges own their samples on both sides"),
+        (Self::AlwaysBias, "every edge is biased: none owns its samples"),
+        (Self::BottomOwns, "horizontal edges: bottom edges own instead of top edges"),
+        (
+            Self::Unturned,
+            "triangles of negative area are not turned round, and their area loses its sign",
+        ),
+        (Self::SlopesSwapped, "dz/dx and dz/dy are swapped"),
+        (Self::StepsSwapped, "edge steps a and b are swapped"),
+        (Self::StepSignA, "edge steps a have the wrong sign"),
+        (Self::StepSignB, "edge steps b have the wrong sign"),
+        (Self::ZeroAreaWords, "a triangle of no area keeps its edge words"),
+        (Self::SlopesShort, "slopes have one interpolation bit too few"),
+    ];
+}
+
+/// A set-up unit with a slip.
+pub(super) struct Unit<'a> {
+    pub(super) slip: SetupSlip,
+    pub(super) edge: EdgeWordConfig,
+    pub(super) depth: &'a Depth,
+    pub(super) grid: SampleGrid,
+}
+
+impl Unit<'_> {
+    /// Its words, unreduced, and the flag of no area.
+    pub(super) fn words(&self, triangle: &Triangle, z: [i128; 3]) -> Vec<i128> {
+        let (mut xy, mut z) = (triangle.xy, z);
+        let area2 = triangle.area2();
+        if area2 < 0 && self.slip != SetupSlip::Unturned {
+            xy.swap(1, 2);
+            z.swap(1, 2);
+        }
+        let mut words = Vec::new();
+        for k in 0..3 {
+            words.extend(self.edge(xy[k], xy[(k + 1) % 3]));
+        }
+        words.extend(if area2 == 0 { [0; 3] } else { self.plane(xy, z, area2.abs()) });
+        if area2 == 0 && self.slip != SetupSlip::ZeroAreaWords {
+            words.fill(0);
+        }
+        words.push(i128::from(area2 == 0));
+        words
+    }
+
+    fn edge(&self, from: [i128; 2], to: [i128; 2]) -> [i128; 3] {
+        let [ex, ey] = [to[0] - from[0], to[1] - from[1]];
+        let horizontal = if self.slip == SetupSlip::BottomOwns { ex < 0 } else { ex > 0 };
+        let owns = match (self.slip, self.edge.rule) {
+            (SetupSlip::NoBias, _) => true,
+            (SetupSlip::AlwaysBias, _) => false,
+            (_, FillRule::TopLeft) => ey < 0 || (ey == 0 && horizontal),
+            (_, FillRule::Shadow) => ey > 0 || (ey == 0 && horizontal),
+        };
+        let [x, y] = self.grid.offset;
+        let value = ex * (y - from[1]) - ey * (x - from[0]) - i128::from(!owns);
+        let (shift, scale) = match self.edge.storage {
+            EdgeStorage::Full => (0, self.grid.sub_pixel),
+            EdgeStorage::Shifted => (self.grid.sub_pixel, 0),
+        };
+        let (a, b) = (-ey << scale, ex << scale);
+        let (a, b) = match self.slip {
+            SetupSlip::StepsSwapped => (b, a),
+            SetupSlip::StepSignA => (-a, b),
+            SetupSlip::StepSignB => (a, -b),
+            _ => (a, b),
+        };
+        [value >> shift, a, b]
+    }
+
+    fn plane(&self, xy: [[i128; 2]; 3], z: [i128; 3], area2: i128) -> [i128; 3] {
+        let [[x0, y0], [x1, y1], [x2, y2]] = xy;
+        let (z1, z2) = (z[1] - z[0], z[2] - z[0]);
+        let gx = z1 * (y2 - y0) - z2 * (y1 - y0);
+        let gy = (x1 - x0) * z2 - (x2 - x0) * z1;
+        let [x, y] = self.grid.offset;
+        let start = z[0] * area2 + gx * (x - x0) + gy * (y - y0);
+        let fraction = self.depth.read_out().fraction();
+        let short = u32::from(self.slip == SetupSlip::SlopesShort);
+        let scale = (self.grid.sub_pixel + fraction).saturating_sub(short);
+        let start = self.divide(start << fraction, area2) + self.depth.start_bias();
+        let (dx, dy) = (self.divide(gx << scale, area2), self.divide(gy << scale, area2));
+        if self.slip == SetupSlip::SlopesSwapped { [start, dy, dx] } else { [start, dx, dy] }
+    }
+
+    /// Restoring division of magnitudes, then the rounding by sign and remainder.
+    fn divide(&self, numerator: i128, divisor: i128) -> i128 {
+        let (d, negative) = (divisor.unsigned_abs(), numerator < 0);
+        let n = numerator.unsigned_abs();
+        let last = u32::from(self.slip == SetupSlip::OneBitShort);
+        let (mut q, mut r) = (0u128, 0u128);
+        for bit in (last..128).rev() {
+            r = r.wrapping_shl(1) | n >> bit & 1;
+            let fits = if self.slip == SetupSlip::StrictFit { r > d } else { r >= d };
+            if fits {
+                r -= d;
+            }
+            q = q << 1 | u128::from(fits);
+        }
+        let twice = r.wrapping_mul(2);
+        let (over, tie, odd) = (twice > d, twice == d, q & 1 == 1);
+        let up = match self.depth.config().rounding {
+            Rounding::Floor => r != 0 && negative,
+            Rounding::Ceiling => r != 0 && !negative,
+            Rounding::TowardZero => false,
+            Rounding::AwayFromZero => r != 0,
+            Rounding::NearestEven => over || tie && (odd ^ (self.slip == SetupSlip::TiesToOdd)),
+            Rounding::NearestUp => over || tie && !negative,
+            Rounding::NearestDown => over || tie && negative,
+            Rounding::NearestAway => over || tie,
+            Rounding::NearestTowardZero => over,
+            Rounding::Odd => r != 0 && !odd,
+        };
+        let magnitude = (q + u128::from(up)).cast_signed();
+        if negative && self.slip != SetupSlip::SignLost { -magnitude } else { magnitude }
+    }
+}

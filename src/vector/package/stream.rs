@@ -1,0 +1,264 @@
+//! Benches of devices behind valid/ready streams: one record in, rows of several files out.
+
+use super::Interface;
+use super::half::{pack, text_mask};
+use super::record::{Field, Record};
+use super::rtl;
+use super::template::fill;
+
+/// A device, the file that drives it and the files that it answers.
+pub(super) struct Stream<'a> {
+    /// The bench's name, and the stem of the file that drives it.
+    pub(super) name: &'static str,
+    device: &'static str,
+    cfg: &'a Record<'a>,
+    answers: Vec<Answer<'a>>,
+}
+
+/// One stream of answers.
+struct Answer<'a> {
+    /// What its ports' names begin with.
+    prefix: &'static str,
+    exp: &'a Record<'a>,
+    /// Its columns, and whether the device has a port for each.
+    fields: Vec<(&'a Field<'a>, bool)>,
+}
+
+const EDGES: [&str; 9] = ["e0", "a0", "b0", "e1", "a1", "b1", "e2", "a2", "b2"];
+const PLANE: [&str; 4] = ["z", "dzdx", "dzdy", "zero_area"];
+/// What the summary's events look at is wider than any word of the engine: they are not compared.
+const EVENTS: [&str; 4] = ["wrap", "clamp_above", "clamp_below", "inexact"];
+
+/// The streams that the set has all files for, and whose device this crate has.
+pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
+    if interface.setup.is_none() {
+        return Vec::new();
+    }
+    let words = [&EDGES[..], &PLANE].concat();
+    let vertices = ["x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2"];
+    let setup =
+        stream(records, "setup", "triangle_setup", &vertices, &[("setup.exp", "o_", &words, &[])]);
+    let engine = [&["test"][..], &words, &["x0", "y0", "x1", "y1"]].concat();
+    let summary =
+        ["test", "spans", "samples", "wrap", "clamp_above", "clamp_below", "inexact", "zero_area"];
+    let triangle = stream(
+        records,
+        "triangle",
+        "triangle_engine",
+        &engine,
+        &[
+            ("span.exp", "span_", &["test", "y", "x0", "x1"], &[]),
+            ("depth.exp", "depth_", &["test", "x", "y", "z"], &[]),
+            ("triangle.exp", "triangle_", &summary, &EVENTS),
+        ],
+    );
+    // A sticky accumulator depends on the way, and a refused triangle has no rows.
+    let walks = !matches!(interface.clamp.mode.as_str(), "saturate" | "error");
+    setup.into_iter().chain(triangle.filter(|_| walks)).collect()
+}
+
+type Wanted<'n> = (&'n str, &'static str, &'n [&'n str], &'n [&'n str]);
+
+fn stream<'a>(
+    records: &'a [Record<'a>],
+    name: &'static str,
+    device: &'static str,
+    inputs: &[&str],
+    answers: &[Wanted<'_>],
+) -> Option<Stream<'a>> {
+    let find = |stem: &str, columns: &[&str]| {
+        let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
+        let same =
+            record.fields.iter().map(|field| &*field.column.name).eq(columns.iter().copied());
+        (same && record.file.rows > 0).then_some(record)
+    };
+    let cfg = find(&format!("{name}.cfg"), inputs)?;
+    let answers = answers.iter().map(|(stem, prefix, columns, skipped)| {
+        let exp = find(stem, columns)?;
+        let compared = |field: &&Field| !skipped.contains(&&*field.column.name);
+        let fields = exp.fields.iter().map(|field| (field, compared(&field))).collect();
+        Some(Answer { prefix, exp, fields })
+    });
+    Some(Stream { name, device, cfg, answers: answers.collect::<Option<_>>()? })
+}
+
+/// The modules of these streams' devices, beside `dda` and `edge_stepper` which a set may have
+/// anyway.
+pub(super) fn modules(interface: &Interface, streams: &[Stream], have: &[&str]) -> String {
+    let Some(setup) = &interface.setup else { return String::new() };
+    let mut values = rtl::clamp(&interface.clamp);
+    values.extend(rtl::setup(setup));
+    let mut text = String::new();
+    for stream in streams {
+        let parts: &[&str] = match stream.device {
+            "triangle_setup" => &["setup_divider", "triangle_setup"],
+            _ => &["dda", "edge_stepper", "edge_evaluator", "depth_evaluator", "triangle_engine"],
+        };
+        // A vertex coordinate, or a pixel's.
+        let x0 = stream.cfg.field("x0").map_or(0, |field| field.column.width);
+        let mut values = values.clone();
+        values.extend([("VW", x0.into()), ("C", x0.into())]);
+        for part in parts.iter().filter(|part| !have.contains(part)) {
+            // What divides is told its widths by what it divides for.
+            let values: &[(&str, i128)] = if *part == "setup_divider" { &[] } else { &values };
+            text += "\n";
+            text += &rtl::module(part, values);
+        }
+    }
+    text
+}
+
+impl Stream<'_> {
+    /// The module that checks this device.
+    pub(super) fn systemverilog(&self) -> String {
+        let each =
+            |text: &dyn Fn(&Answer) -> String| self.answers.iter().map(text).collect::<String>();
+        let inputs =
+            self.cfg.fields.iter().map(|field| format!("        .{0}(cfg.{0}),\n", field.id));
+        let inputs: Vec<String> = inputs.collect();
+        let all = |between: &str, text: &str| {
+            let parts: Vec<String> = self.answers.iter().map(|answer| answer.fill(text)).collect();
+            parts.join(between)
+        };
+        let text = fill(
+            include_str!("tb.stream.sv.in"),
+            &[
+                ("ANSWERS", &each(&|answer| answer.declare(self.name))),
+                ("INPUTS", &inputs.concat()),
+                ("OUTPUTS", each(&|answer| answer.connect()).trim_end_matches([',', '\n'])),
+                ("START", &each(&|answer| answer.fill(START))),
+                ("WATCH", &each(&|answer| answer.fill(WATCH))),
+                ("READY", &all("", READY)),
+                ("COMPLETE", &all(" && ", "@ANSWER@file.line >= @EXP@_ROWS")),
+                ("VALID", &all(" || ", "@ANSWER@valid")),
+                ("LAST", &all("", "                @ANSWER@file.last;\n")),
+            ],
+        );
+        fill(
+            &text,
+            &[
+                ("HALF", self.name),
+                ("DEVICE", self.device),
+                ("CFG", &self.cfg.constant()),
+                ("CFG_ID", &self.cfg.id),
+                ("CFG_FIXED", &text_mask(self.cfg, false)),
+                ("CFG_DIGITS", &text_mask(self.cfg, true)),
+                ("CFG_PACK", &pack(self.cfg, "cfg_file.nibbles")),
+            ],
+        )
+    }
+}
+
+const START: &str = "        @ANSWER@ready = 1'b0;
+        @ANSWER@held = 1'b0;
+        @ANSWER@dump = 0;
+        if ($test$plusargs(\"dump\")) @ANSWER@dump = $fopen(\"@STEM@.dut.tv\", \"w\");
+";
+
+const WATCH: &str = "        if (@ANSWER@held && (!@ANSWER@valid || @ANSWER@now !== @ANSWER@kept))
+            unstable(\"@STEM@\", @ANSWER@file.line + 1);
+        @ANSWER@held = @ANSWER@valid && !@ANSWER@ready;
+        @ANSWER@kept = @ANSWER@now;
+        if (@ANSWER@valid === 1'b1 && @ANSWER@ready) @ANSWER@compare;
+";
+
+const READY: &str = "        @ANSWER@ready = !stalls;
+        noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
+";
+
+impl Answer<'_> {
+    fn fill(&self, text: &str) -> String {
+        let stem = self.exp.file.name.trim_end_matches(".tv");
+        fill(
+            text,
+            &[
+                ("ANSWER", self.prefix),
+                ("EXP", &self.exp.constant()),
+                ("EXP_ID", &self.exp.id),
+                ("STEM", stem),
+            ],
+        )
+    }
+
+    fn ports(&self) -> impl Iterator<Item = &Field<'_>> {
+        self.fields.iter().filter(|(_, port)| *port).map(|(field, _)| *field)
+    }
+
+    /// Its file, its wires, and the task that compares a row.
+    fn declare(&self, name: &str) -> String {
+        let wires: Vec<String> = self
+            .ports()
+            .map(|field| {
+                format!("    wire [{}:0] {}{};\n", field.column.width - 1, self.prefix, field.id)
+            })
+            .collect();
+        let now: Vec<String> =
+            self.ports().map(|field| format!("{}{}", self.prefix, field.id)).collect();
+        let bits: u32 = self.ports().map(|field| field.column.width).sum();
+        let compare: Vec<String> = self
+            .ports()
+            .map(|field| {
+                let Field { id, column, .. } = field;
+                let (prefix, stem) = (self.prefix, self.exp.file.name.trim_end_matches(".tv"));
+                format!(
+                    "            if ({prefix}{id} !== {prefix}want.{id}) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display(\"MISMATCH {name} ({stem}.tv line %0d) field {field}\\n    expected %h  %b\\n    got      %h  %b\",
+                        {prefix}file.line, {prefix}want.{id}, {prefix}want.{id}, {prefix}{id}, {prefix}{id});
+            end
+",
+                    field = column.name
+                )
+            })
+            .collect();
+        let masked = self.fields.iter().any(|(_, port)| !port);
+        let (formats, words): (Vec<&str>, Vec<String>) = self
+            .fields
+            .iter()
+            .map(|(field, port)| {
+                if *port {
+                    ("%h", format!("{}{}", self.prefix, field.id))
+                } else {
+                    ("%h", format!("{}'h0", field.column.width))
+                }
+            })
+            .unzip();
+        let mask: String = self
+            .fields
+            .iter()
+            .map(|(field, port)| if *port { "0" } else { "f" }.repeat(field.column.digits()))
+            .collect();
+        let mask = if masked { format!("_{mask}") } else { String::new() };
+        let text = self.fill(include_str!("tb.answer.sv.in"));
+        fill(
+            &text,
+            &[
+                ("FIXED", &text_mask(self.exp, false)),
+                ("DIGITS", &text_mask(self.exp, true)),
+                ("PACK", &pack(self.exp, &format!("{}file.nibbles", self.prefix))),
+                ("WIRES", &wires.concat()),
+                ("NOW_TOP", &(bits - 1).to_string()),
+                ("NOW", &now.join(", ")),
+                ("COMPARE", &compare.concat()),
+                ("FORMATS", &(formats.join("_") + &mask)),
+                ("WORDS", &words.join(", ")),
+            ],
+        )
+    }
+
+    fn connect(&self) -> String {
+        let ports = self.ports().map(|field| field.id.as_str()).chain(["valid", "ready"]);
+        // `o_valid` is the set-up's `out_valid`: its ports have no stream's name.
+        let ports: Vec<String> = ports
+            .map(|id| {
+                let port = match (self.prefix, id) {
+                    ("o_", "valid" | "ready") => format!("out_{id}"),
+                    (prefix, id) => format!("{prefix}{id}"),
+                };
+                format!("        .{port}({}{id}),\n", self.prefix)
+            })
+            .collect();
+        ports.concat()
+    }
+}

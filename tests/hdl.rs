@@ -1,0 +1,99 @@
+//! The devices of `tests/hdl/rtl` and the generated benches in real simulators. A trial whose
+//! simulator is missing counts as ignored.
+// Clauses J-1, J-2 and J-3: the devices pass their benches; J-4: waves line up and dumps agree; J-5:
+// mutants; J-6: lemmas. Clause J-7 is tested in bindings/c/tests.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
+
+#[path = "hdl/bench.rs"]
+mod bench;
+#[path = "hdl/cost.rs"]
+mod cost;
+#[path = "hdl/formal.rs"]
+mod formal;
+#[path = "hdl/mutant.rs"]
+mod mutant;
+#[path = "hdl/readme.rs"]
+mod readme;
+#[path = "support/run.rs"]
+mod run;
+#[path = "hdl/scoreboard.rs"]
+mod scoreboard;
+#[path = "hdl/set.rs"]
+mod set;
+#[path = "hdl/spoiled.rs"]
+mod spoiled;
+#[path = "support/tool.rs"]
+mod tool;
+#[path = "hdl/wave.rs"]
+mod wave;
+
+use libtest_mimic::Arguments;
+use tool::Tool;
+
+const ICARUS: Tool = Tool {
+    name: "iverilog",
+    programs: &["iverilog"],
+    version: "-V",
+    hardware: true,
+    package: "apt-get install iverilog",
+};
+const VERILATOR: Tool = Tool {
+    name: "verilator",
+    programs: &["verilator"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install verilator",
+};
+const GHDL: Tool = Tool {
+    name: "ghdl",
+    programs: &["ghdl"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install ghdl",
+};
+
+const COCOTB: Tool = Tool {
+    name: "cocotb",
+    programs: &["cocotb-config"],
+    version: "--version",
+    hardware: true,
+    package: "pip install cocotb, apt-get install iverilog",
+};
+const YOSYS: Tool = Tool {
+    name: "yosys",
+    programs: &["yosys"],
+    version: "-V",
+    hardware: true,
+    package: "apt-get install yosys",
+};
+const Z3: Tool = Tool {
+    name: "z3",
+    programs: &["z3"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install z3",
+};
+
+fn main() {
+    // A trial that needs two programs is ignored for want of the first that is missing.
+    let both = |first: Tool, second| if first.program().is_none() { first } else { second };
+    let (solver, cocotb) = (both(YOSYS, Z3), both(ICARUS, COCOTB));
+    let trials = vec![
+        VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
+        ICARUS.trial("icarus_runs_every_bench", bench::icarus),
+        VERILATOR.trial("verilator_runs_a_million_vectors", bench::verilator),
+        GHDL.trial("ghdl_runs_the_walks", bench::ghdl),
+        ICARUS.trial("icarus_refuses_spoiled_files", spoiled::icarus),
+        VERILATOR.trial("verilator_refuses_spoiled_files", spoiled::verilator),
+        GHDL.trial("ghdl_refuses_spoiled_files", spoiled::ghdl),
+        ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
+        cocotb.trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),
+        solver.trial("words_wrap_as_proved", formal::words_wrap),
+        solver.trial("the_guard_clamp_holds_as_proved", formal::guard_clamps),
+        solver.trial("edge_words_fit_as_proved", formal::edges_fit),
+        YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
+        ICARUS.trial("the_readmes_buggy_adder_is_named", readme::buggy_adder),
+        ICARUS.trial("mutants_are_caught_and_named", mutant::caught_and_named),
+    ];
+    libtest_mimic::run(&Arguments::from_args(), trials).exit();
+}

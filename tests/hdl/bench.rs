@@ -1,0 +1,110 @@
+//! Benches that pass, in sizes and profiles that mean something.
+
+use crate::set::{GHDL, ICARUS, Set, VERILATOR, build_ghdl, build_icarus, build_verilator, good};
+use std::path::{Path, PathBuf};
+use std::thread;
+
+/// Profiles with 1 to 4 guard bits, every read-out, both fill rules, both storages, signed and
+/// unsigned vertices, and each way to round.
+fn sets(walks: u64) -> Vec<Set> {
+    let count = format!("--count {walks}");
+    let own = |profile, lines: &[(&str, &str)]| Set::of(profile, lines, &count);
+    let rounded = |rounding: &str| {
+        let line = format!("rounding = \"{rounding}\"");
+        own("sgi-4k", &[("guard = 2", "guard = 3"), ("rounding = \"nearest-even\"", &line)])
+    };
+    vec![
+        Set::new(&format!("sgi-4k {count}")),
+        Set::new(&format!("d3d11 {count}")),
+        Set::new(&format!("tiny {count}")),
+        Set::new(&format!("sgi-4k-walk {count}")),
+        own("sgi-4k", &[("guard = 2", "guard = 4"), ("top-left", "shadow")]),
+        own("tiny", &[("clamp = \"guard\"", "clamp = \"saturate\"")]),
+        own(
+            "tiny",
+            &[
+                ("clamp = \"guard\"", "clamp = \"sign\""),
+                ("shifted", "full"),
+                ("width = 6", "width = 8"),
+            ],
+        ),
+        own("tiny", &[("clamp = \"guard\"", "clamp = \"wrap\""), ("guard = 1", "guard = 0")]),
+        rounded("nearest-toward-zero"),
+    ]
+}
+
+/// Runs a built bench and gives the rows it says it compared.
+fn passes(folder: &Path, (program, arguments): (&str, &[&str])) -> u64 {
+    let text = good(folder, program, arguments);
+    let pass = text.lines().find(|line| line.contains("PASS ")).expect(&text);
+    let counts = pass.split("rows=").skip(1);
+    counts.map(|rest| rest.split(' ').next().unwrap().trim().parse::<u64>().unwrap()).sum()
+}
+
+pub(crate) fn lint_clean(verilator: &str) {
+    let rtl = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/rtl");
+    let files = [
+        "dda",
+        "edge_stepper",
+        "edge_evaluator",
+        "depth_evaluator",
+        "triangle_engine",
+        "setup_divider",
+        "triangle_setup",
+    ];
+    let files: Vec<String> = files.iter().map(|name| format!("{name}.sv")).collect();
+    let files: Vec<&str> = files.iter().map(String::as_str).collect();
+    for top in ["triangle_engine", "triangle_setup"] {
+        let options = ["--lint-only", "-Wall", "--top-module", top];
+        assert_eq!(good(&rtl, verilator, &[&options[..], &files].concat()), "", "{top}");
+    }
+}
+
+pub(crate) fn icarus(_: &str) {
+    let mut rows = 0;
+    for set in sets(6000) {
+        build_icarus(&set.folder);
+        rows += passes(&set.folder, ICARUS);
+    }
+    assert!(rows >= 100_000, "{rows}");
+}
+
+pub(crate) fn verilator(_: &str) {
+    let sets = sets(60_000);
+    let folders: Vec<PathBuf> = sets.iter().map(|set| set.folder.clone()).collect();
+    // A build keeps one core busy: two at a time.
+    let halves: Vec<Vec<PathBuf>> = folders.chunks(5).map(<[PathBuf]>::to_vec).collect();
+    let jobs = halves.into_iter().map(|folders| {
+        thread::spawn(move || {
+            folders
+                .iter()
+                .map(|folder| {
+                    build_verilator(folder);
+                    passes(folder, VERILATOR)
+                })
+                .sum::<u64>()
+        })
+    });
+    let jobs: Vec<_> = jobs.collect();
+    let rows: u64 = jobs.into_iter().map(|job| job.join().unwrap()).sum();
+    assert!(rows >= 1_000_000, "{rows}");
+}
+
+pub(crate) fn ghdl(_: &str) {
+    let mut rows = 0;
+    for set in sets(2000) {
+        build_ghdl(&set.folder);
+        rows += passes(&set.folder, GHDL);
+    }
+    assert!(rows >= 20_000, "{rows}");
+    // What the devices answer comes back as a dump that agrees.
+    let set = Set::new("tiny --count 300");
+    build_ghdl(&set.folder);
+    let arguments = [GHDL.1, &["-gDUMP=true"]].concat();
+    good(&set.folder, GHDL.0, &arguments);
+    for stem in ["dda.exp", "edge.exp"] {
+        // GHDL writes capital digits.
+        let dump = set.read(&format!("{stem}.dut.tv")).to_lowercase();
+        assert!(dump == set.read(&format!("{stem}.tv")), "{stem}");
+    }
+}

@@ -1,0 +1,187 @@
+//! Defects of the devices, one at a time: each is caught by the benches of the default sets, and
+//! `verify --dut` names its cause.
+
+use crate::run::run_in;
+use crate::set::run;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::thread;
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Mutants {
+    mutant: Vec<Mutant>,
+}
+
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Mutant {
+    id: String,
+    module: String,
+    class: String,
+    edits: Vec<[String; 2]>,
+    cause: Option<String>,
+    equivalent: Option<String>,
+}
+
+/// What became of a mutant.
+struct Fate {
+    mutant: Mutant,
+    /// The class of tests that caught it first, or nothing.
+    caught: Option<String>,
+    /// Single causes that a dump was explained by.
+    named: Vec<String>,
+    /// Lists of several causes.
+    listed: Vec<String>,
+}
+
+impl Fate {
+    fn right(&self) -> bool {
+        let Some(cause) = &self.mutant.cause else { return false };
+        self.named.iter().chain(&self.listed).any(|named| named.contains(cause.as_str()))
+    }
+
+    /// A single cause, said with confidence, that is another.
+    fn wrong(&self) -> bool {
+        self.named.iter().any(|named| {
+            self.mutant.cause.as_ref().is_none_or(|cause| !named.contains(cause.as_str()))
+        })
+    }
+}
+
+/// The device file with the mutant's edits in its module.
+fn mutate(devices: &str, mutant: &Mutant) -> String {
+    let head = format!("\nmodule {} ", mutant.module);
+    let begin = devices.find(&head).expect("the module is there");
+    let end = begin + devices[begin..].find("\nendmodule").unwrap();
+    let mut module = devices[begin..end].to_owned();
+    for [old, new] in &mutant.edits {
+        assert_eq!(module.matches(old.as_str()).count(), 1, "{}: {old}", mutant.id);
+        module = module.replacen(old.as_str(), new, 1);
+    }
+    format!("{}{module}{}", &devices[..begin], &devices[end..])
+}
+
+/// Runs a set's bench on a mutant of its devices, in a folder of its own.
+fn fate(sets: &[PathBuf], mutant: &Mutant) -> Fate {
+    let mut fate =
+        Fate { mutant: mutant.clone(), caught: None, named: Vec::new(), listed: Vec::new() };
+    for set in sets {
+        let home = tempfile::tempdir().unwrap();
+        for entry in std::fs::read_dir(set).unwrap().flatten() {
+            let name = entry.file_name();
+            if name.to_string_lossy().ends_with(".tv") {
+                std::fs::hard_link(entry.path(), home.path().join(name)).unwrap();
+            }
+        }
+        let devices = std::fs::read_to_string(set.join("dut.sv")).unwrap();
+        std::fs::write(home.path().join("dut.sv"), mutate(&devices, mutant)).unwrap();
+        let file = |name: &str| set.join(name).display().to_string();
+        let build = ["-g2012", "-o", "sim.vvp", &file("pkg.sv"), "dut.sv", &file("tb.sv")];
+        let (built, text) = run(home.path(), "iverilog", &build);
+        assert!(built, "{}: {text}", mutant.id);
+        let (good, text) = run(home.path(), "vvp", &["-n", "sim.vvp", "+dump"]);
+        if good {
+            continue;
+        }
+        assert!(text.contains("FAIL"), "{}: {text}", mutant.id);
+        diagnose(set, home.path(), &mut fate);
+        // A hang, or an answer that moves, is a finding of the bench alone.
+        fate.caught.get_or_insert_with(|| "the bench".to_owned());
+        break;
+    }
+    fate
+}
+
+/// Asks the command about each dump that the bench wrote.
+fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
+    for stem in ["dda.exp", "edge.exp", "setup.exp", "span.exp", "depth.exp", "triangle.exp"] {
+        let dump = home.join(format!("{stem}.dut.tv"));
+        if dump.metadata().map_or(0, |file| file.len()) == 0 {
+            continue;
+        }
+        let arguments = format!("verify {} --dut {} --errors 1", set.display(), dump.display());
+        let ran = run_in(home, &arguments);
+        if ran.status == Some(0) {
+            continue;
+        }
+        assert_eq!(ran.status, Some(1), "{}: {} {}", fate.mutant.id, ran.out, ran.err);
+        if std::env::var_os("GUARDBIT_SHOW").is_some() {
+            eprintln!("--- {} {stem}\n{}", fate.mutant.id, ran.out);
+        }
+        let first = ran.out.lines().next().unwrap_or_default();
+        let class = first.split(' ').next_back().unwrap_or_default();
+        let class = class.rsplit_once('/').map_or(class, |(class, _)| class);
+        fate.caught.get_or_insert_with(|| class.to_owned());
+        if let Some((_, cause)) = ran.out.split_once("likely cause: ") {
+            fate.named.push(cause.trim().to_owned());
+        } else if let Some((_, causes)) = ran.out.split_once("each explains the whole dump:") {
+            fate.listed.extend(causes.lines().map(|line| line.trim().to_owned()));
+        }
+        let lost = ran.out.lines().filter(|line| line.contains("rows are lost on the way"));
+        fate.listed.extend(lost.map(str::to_owned));
+    }
+}
+
+pub(crate) fn caught_and_named(_: &str) {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/mutants.toml");
+    let mutants: Mutants = toml::from_str(&std::fs::read_to_string(source).unwrap()).unwrap();
+    let only = std::env::var("GUARDBIT_MUTANT").unwrap_or_default();
+    let mutants: Vec<Mutant> =
+        mutants.mutant.into_iter().filter(|mutant| mutant.id.contains(&only)).collect();
+    let home = tempfile::tempdir().unwrap();
+    // The default job's sets, smaller.
+    run_in(home.path(), "vectors --count 1500 --out sets").ends(0);
+    let sets = ["sgi-4k", "sgi-4k-g1", "sgi-4k-g3", "sgi-4k-g4"];
+    let sets = sets.map(|set| home.path().join("sets").join(set));
+    let queue = Mutex::new(mutants.iter());
+    let fates = Mutex::new(BTreeMap::new());
+    thread::scope(|scope| {
+        for _ in 0..2 {
+            scope.spawn(|| {
+                loop {
+                    let next = queue.lock().unwrap().next();
+                    let Some(mutant) = next else { break };
+                    let fate = fate(&sets, mutant);
+                    fates.lock().unwrap().insert(fate.mutant.id.clone(), fate);
+                }
+            });
+        }
+    });
+    let fates = fates.into_inner().unwrap();
+    judge(&fates, only.is_empty());
+}
+
+fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
+    let mut table = String::new();
+    let mut faults = Vec::new();
+    let (mut live, mut right) = (0, 0);
+    for (id, fate) in fates {
+        let verdict = match (&fate.caught, &fate.mutant.equivalent) {
+            (None, Some(_)) => "equivalent",
+            (None, None) => "SURVIVES",
+            (Some(_), Some(_)) => "NOT EQUIVALENT",
+            (Some(_), None) if fate.wrong() => "WRONG CAUSE",
+            (Some(_), None) if fate.right() => "named",
+            (Some(_), None) => "caught",
+        };
+        let caught = fate.caught.as_deref().unwrap_or("-");
+        let _ = writeln!(table, "{id:<28} {:<16} {caught:<28} {verdict}", fate.mutant.class);
+        if verdict.chars().all(|c| c.is_uppercase() || c == ' ') {
+            faults.push(format!("{id}: {verdict}: {:?} {:?}", fate.named, fate.listed));
+        }
+        if fate.mutant.equivalent.is_none() {
+            live += 1;
+            right += usize::from(fate.right() && !fate.wrong());
+        }
+    }
+    eprintln!("{table}{right} of {live} causes named, {} mutants", fates.len());
+    assert!(faults.is_empty(), "{faults:#?}");
+    if whole {
+        assert!(live >= 60, "{live}");
+        assert!(right * 5 >= live * 4, "{right} of {live} causes named");
+    }
+}

@@ -1,0 +1,72 @@
+// Set-up divider: a signed numerator over a positive divisor, one quotient bit a clock, rounded
+// once. Spec: planes P and rounding R.
+module setup_divider #(
+    parameter int NW = 100,              // bits of the numerator and of the quotient, signed
+    parameter int DW = 50,               // bits of the divisor, unsigned, at least 1
+    // 0 floor, 1 ceiling, 2 toward zero, 3 away from zero; nearest, ties: 4 even, 5 up, 6 down,
+    // 7 away from zero, 8 toward zero; 9 to odd if inexact
+    parameter int ROUNDING = 4
+) (
+    input  logic          clk,
+    input  logic          rst,
+    input  logic          start,         // takes the operands; ignored while busy
+    input  logic [NW-1:0] numerator,
+    input  logic [DW-1:0] divisor,
+    output logic          busy,
+    output logic [NW-1:0] quotient       // valid when not busy
+);
+    // Magnitudes are divided: |n| = q d + r. The sign says what rounding does to q.
+    logic [NW-1:0] q;                    // numerator shifting out, quotient shifting in
+    logic [DW:0] r;
+    logic [DW-1:0] d;
+    logic negative;
+    logic [$clog2(NW+1)-1:0] left;
+
+    wire [DW:0] shifted = {r[DW-1:0], q[NW-1]};
+    wire fits = shifted >= {1'b0, d};
+
+    always_ff @(posedge clk)
+        if (rst) begin
+            left <= '0;
+            q <= '0;
+            r <= '0;
+            d <= '0;
+            negative <= 1'b0;
+        end
+        else if (left != 0) begin
+            q <= {q[NW-2:0], fits};
+            r <= fits ? shifted - {1'b0, d} : shifted;
+            left <= left - 1'b1;
+        end
+        else if (start) begin
+            negative <= numerator[NW-1];
+            q <= numerator[NW-1] ? -numerator : numerator;
+            r <= '0;
+            d <= divisor;
+            left <= ($clog2(NW+1))'(NW);
+        end
+
+    assign busy = left != 0;
+
+    wire inexact = r != 0;
+    wire [DW+1:0] twice = {r, 1'b0};
+    wire over = twice > {2'b00, d};
+    wire tie = twice == {2'b00, d};
+    wire is_odd = q[0];
+    logic up;                            // one more of magnitude
+    always_comb
+        case (ROUNDING)
+            0: up = inexact && negative;
+            1: up = inexact && !negative;
+            2: up = 1'b0;
+            3: up = inexact;
+            4: up = over || (tie && is_odd);
+            5: up = over || (tie && !negative);
+            6: up = over || (tie && negative);
+            7: up = over || tie;
+            8: up = over;
+            default: up = inexact && !is_odd;
+        endcase
+    wire [NW-1:0] rounded = q + {{(NW-1){1'b0}}, up};
+    assign quotient = negative ? -rounded : rounded;
+endmodule

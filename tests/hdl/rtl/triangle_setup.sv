@@ -1,0 +1,148 @@
+// Triangle set-up: three vertices in, edge words and a depth plane at pixel (0, 0) out.
+// Spec: triangles T, edges E and C, planes P.
+module triangle_setup #(
+    parameter int VW = 23,               // bits of a vertex coordinate
+    parameter int VS = 0,                // 1 where coordinates are signed
+    parameter int S = 10,                // sub-pixel bits
+    parameter int SAMPLE_X = 512,        // the sample in its pixel, in sub-pixels
+    parameter int SAMPLE_Y = 512,
+    parameter int RULE = 0,              // 0 top-left, 1 shadow
+    parameter int SHIFT = 10,            // low bits of an edge value that are not kept: 0 or S
+    parameter int M = 35,                // bits of an edge word
+    parameter int G = 1,                 // guard bits
+    parameter int I = 24,                // depth bits
+    parameter int F = 13,                // interpolation bits
+    parameter int ROUNDING = 4,          // as setup_divider has it
+    parameter int HALF = 0               // 1 where the start gains half a depth step
+) (
+    input  logic             clk,
+    input  logic             rst,
+    input  logic             in_valid,
+    output logic             in_ready,
+    input  logic [VW-1:0]    x0, y0, x1, y1, x2, y2,
+    input  logic [I-1:0]     z0, z1, z2,
+    output logic             out_valid,
+    input  logic             out_ready,
+    output logic [M-1:0]     o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2,
+    output logic [G+I+F-1:0] o_z, o_dzdx, o_dzdy,
+    output logic             o_zero_area
+);
+    localparam int N = G + I + F;
+    localparam int D = VW + 2;           // a coordinate, a sample's offset, their difference
+    localparam int P = 2 * D + 2;        // a product of two of them, a sum of four
+    localparam int Q = I + P + D + 3;    // a numerator of the plane
+    localparam int NW = Q + S + F;       // scaled
+    localparam int EW = P > M + SHIFT ? P : M + SHIFT;
+
+    function automatic logic signed [D-1:0] coordinate(input logic [VW-1:0] v);
+        coordinate = {{2{VS != 0 && v[VW-1]}}, v};
+    endfunction
+
+    // Vertices are held while the dividers work.
+    logic signed [D-1:0] x [0:2];
+    logic signed [D-1:0] y [0:2];
+    logic signed [I:0] z [0:2];
+    logic held, going;
+
+    // Twice the area, and the order of vertices that makes it positive.
+    wire signed [D-1:0] x01 = x[1] - x[0], y01 = y[1] - y[0];
+    wire signed [D-1:0] x02 = x[2] - x[0], y02 = y[2] - y[0];
+    wire signed [P-1:0] area2 = P'(x01) * P'(y02) - P'(x02) * P'(y01);
+    wire turned = area2 < 0;
+    wire [P-1:0] area = turned ? -area2 : area2;
+    wire zero_area = area2 == 0;
+    wire signed [D-1:0] xa = x[0], ya = y[0];
+    wire signed [D-1:0] xb = turned ? x[2] : x[1], yb = turned ? y[2] : y[1];
+    wire signed [D-1:0] xc = turned ? x[1] : x[2], yc = turned ? y[1] : y[2];
+    wire signed [I:0] za = z[0];
+    wire signed [I:0] zb = turned ? z[2] : z[1];
+    wire signed [I:0] zc = turned ? z[1] : z[2];
+
+    // E(p) = a x + b y + c at the sample of pixel (0, 0), less one unless the edge owns its samples.
+    function automatic logic [EW-1:0] edge_value(input logic signed [D-1:0] fx, fy, tx, ty);
+        logic signed [D-1:0] ex, ey;
+        logic owns;
+        begin
+            ex = tx - fx;
+            ey = ty - fy;
+            owns = RULE == 0 ? ey < 0 || (ey == 0 && ex > 0) : ey > 0 || (ey == 0 && ex > 0);
+            edge_value = EW'(ex) * (EW'(SAMPLE_Y) - EW'(fy)) - EW'(ey) * (EW'(SAMPLE_X) - EW'(fx))
+                - (owns ? EW'(0) : EW'(1));
+        end
+    endfunction
+    /* verilator lint_off UNUSED */
+    wire signed [EW-1:0] e0 = edge_value(xa, ya, xb, yb);
+    wire signed [EW-1:0] e1 = edge_value(xb, yb, xc, yc);
+    wire signed [EW-1:0] e2 = edge_value(xc, yc, xa, ya);
+    /* verilator lint_on UNUSED */
+    function automatic logic [M-1:0] step(input logic signed [D-1:0] to, from);
+        step = (M'(to) - M'(from)) << (S - SHIFT);
+    endfunction
+
+    // The plane's numerators over twice the area.
+    wire signed [I:0] zab = zb - za, zac = zc - za;
+    wire signed [D-1:0] xab = xb - xa, yab = yb - ya, xac = xc - xa, yac = yc - ya;
+    wire signed [Q-1:0] gx = Q'(zab) * Q'(yac) - Q'(zac) * Q'(yab);
+    wire signed [Q-1:0] gy = Q'(xab) * Q'(zac) - Q'(xac) * Q'(zab);
+    wire signed [Q-1:0] gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
+    /* verilator lint_off UNUSED */
+    wire [NW-1:0] start, dzdx, dzdy;
+    /* verilator lint_on UNUSED */
+    wire [2:0] busy;
+    wire go = held && !going;
+    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
+        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
+    );
+    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
+        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
+    );
+    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
+        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
+    );
+
+    assign in_ready = !held;
+    assign out_valid = held && going && busy == 0;
+    always_ff @(posedge clk)
+        if (rst) begin
+            held <= 1'b0;
+            going <= 1'b0;
+        end
+        else if (!held) begin
+            if (in_valid) begin
+                held <= 1'b1;
+                x[0] <= coordinate(x0);
+                y[0] <= coordinate(y0);
+                z[0] <= {1'b0, z0};
+                x[1] <= coordinate(x1);
+                y[1] <= coordinate(y1);
+                z[1] <= {1'b0, z1};
+                x[2] <= coordinate(x2);
+                y[2] <= coordinate(y2);
+                z[2] <= {1'b0, z2};
+            end
+        end
+        else if (!going)
+            going <= 1'b1;
+        else if (out_valid && out_ready) begin
+            held <= 1'b0;
+            going <= 1'b0;
+        end
+
+    // A triangle of no area has no words.
+    localparam logic [N-1:0] BIAS = HALF != 0 && F > 0 ? {{(N-1){1'b0}}, 1'b1} << (F - 1) : {N{1'b0}};
+    wire [M-1:0] live = {M{!zero_area}};
+    wire [N-1:0] alive = {N{!zero_area}};
+    assign o_e0 = e0[SHIFT+M-1:SHIFT] & live;
+    assign o_a0 = step(ya, yb) & live;
+    assign o_b0 = step(xb, xa) & live;
+    assign o_e1 = e1[SHIFT+M-1:SHIFT] & live;
+    assign o_a1 = step(yb, yc) & live;
+    assign o_b1 = step(xc, xb) & live;
+    assign o_e2 = e2[SHIFT+M-1:SHIFT] & live;
+    assign o_a2 = step(yc, ya) & live;
+    assign o_b2 = step(xa, xc) & live;
+    assign o_z = (start[N-1:0] + BIAS) & alive;
+    assign o_dzdx = dzdx[N-1:0] & alive;
+    assign o_dzdy = dzdy[N-1:0] & alive;
+    assign o_zero_area = zero_area;
+endmodule

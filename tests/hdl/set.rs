@@ -1,0 +1,80 @@
+//! Vector sets in folders of their own, and simulators that are run on them.
+
+use crate::run::run_in;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use tempfile::TempDir;
+
+/// A set, gone with this value.
+pub(crate) struct Set {
+    _home: TempDir,
+    pub(crate) folder: PathBuf,
+}
+
+impl Set {
+    /// What `guardbit vectors` writes for these arguments.
+    pub(crate) fn new(arguments: &str) -> Self {
+        let home = tempfile::tempdir().unwrap();
+        run_in(home.path(), &format!("vectors {arguments} --out set")).ends(0);
+        let folder = home.path().join("set");
+        Self { _home: home, folder }
+    }
+
+    /// A set of a built-in profile with lines of its TOML replaced.
+    pub(crate) fn of(profile: &str, lines: &[(&str, &str)], arguments: &str) -> Self {
+        let home = tempfile::tempdir().unwrap();
+        let mut text = run_in(home.path(), &format!("profile show {profile}")).ends(0).out;
+        for (old, new) in lines {
+            assert!(text.contains(old), "{old}");
+            text = text.replace(old, new);
+        }
+        std::fs::write(home.path().join("own.toml"), text).unwrap();
+        run_in(home.path(), &format!("vectors own.toml {arguments} --out set")).ends(0);
+        let folder = home.path().join("set");
+        Self { _home: home, folder }
+    }
+
+    pub(crate) fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.folder.join(name)).unwrap()
+    }
+}
+
+/// Text of both streams, and whether it ended well.
+pub(crate) fn run(folder: &Path, program: &str, arguments: &[&str]) -> (bool, String) {
+    let ran = Command::new(program).args(arguments).current_dir(folder).output();
+    let Output { status, stdout, stderr } = ran.unwrap();
+    let text = [stdout, stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());
+    (status.success(), text.concat())
+}
+
+/// The same, which has to end well.
+#[track_caller]
+pub(crate) fn good(folder: &Path, program: &str, arguments: &[&str]) -> String {
+    let (good, text) = run(folder, program, arguments);
+    assert!(good, "{program} {arguments:?}: {text}");
+    text
+}
+
+/// Builds a set's bench in Icarus, as its head says.
+pub(crate) fn build_icarus(folder: &Path) {
+    let built = good(folder, "iverilog", &["-g2012", "-o", "sim.vvp", "pkg.sv", "dut.sv", "tb.sv"]);
+    assert_eq!(built, "", "no warnings");
+}
+
+/// Builds a set's bench in Verilator, as its head says.
+pub(crate) fn build_verilator(folder: &Path) {
+    let options = ["--binary", "-O3", "-Wno-fatal", "--top-module", "tb", "-j", "2"];
+    let files = ["pkg.sv", "dut.sv", "tb.sv", "-o", "sim"];
+    good(folder, "verilator", &[&options[..], &files].concat());
+}
+
+/// Builds a set's bench in GHDL, as its head says.
+pub(crate) fn build_ghdl(folder: &Path) {
+    good(folder, "ghdl", &["-a", "--std=08", "pkg.vhd", "dut.vhd", "tb.vhd"]);
+    good(folder, "ghdl", &["-e", "--std=08", "tb"]);
+}
+
+/// The command that runs a built bench.
+pub(crate) const ICARUS: (&str, &[&str]) = ("vvp", &["-n", "sim.vvp"]);
+pub(crate) const VERILATOR: (&str, &[&str]) = ("./obj_dir/sim", &[]);
+pub(crate) const GHDL: (&str, &[&str]) = ("ghdl", &["-r", "--std=08", "tb"]);

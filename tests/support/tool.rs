@@ -1,0 +1,47 @@
+//! Programs from outside. Where one is missing its trials count as ignored, with the reason in
+//! their name; with `GUARDBIT_REQUIRE_TOOLS=1` a missing program is a failure, with
+//! `GUARDBIT_REQUIRE_HDL=1` a missing hardware tool.
+#![allow(dead_code, reason = "each test file takes what it needs")]
+
+use libtest_mimic::{Failed, Trial};
+use std::process::{Command, Stdio};
+
+/// A program that this crate does not bring.
+pub(crate) struct Tool {
+    pub(crate) name: &'static str,
+    /// The names it may have on the search path.
+    pub(crate) programs: &'static [&'static str],
+    /// What asks it for its version.
+    pub(crate) version: &'static str,
+    /// Whether it is a tool of hardware design.
+    pub(crate) hardware: bool,
+    /// What to install.
+    pub(crate) package: &'static str,
+}
+
+impl Tool {
+    /// The first of its programs that this machine has.
+    pub(crate) fn program(&self) -> Option<&'static str> {
+        self.programs.iter().copied().find(|program| {
+            let mut command = Command::new(program);
+            command.arg(self.version).stdin(Stdio::null());
+            command.output().is_ok_and(|output| output.status.success())
+        })
+    }
+
+    /// A trial that is run with the tool's program.
+    pub(crate) fn trial(&self, name: &str, test: fn(&str)) -> Trial {
+        let Some(program) = self.program() else {
+            let reason = format!("{} is missing: {}", self.name, self.package);
+            let set = |name| std::env::var_os(name).is_some_and(|value| value == "1");
+            let hardware = self.hardware && set("GUARDBIT_REQUIRE_HDL");
+            let required = hardware || set("GUARDBIT_REQUIRE_TOOLS");
+            let name = format!("{name} ({reason})");
+            return Trial::test(name, || Err(Failed::from(reason))).with_ignored_flag(!required);
+        };
+        Trial::test(name, move || {
+            test(program);
+            Ok(())
+        })
+    }
+}
