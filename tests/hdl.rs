@@ -1,7 +1,5 @@
 //! The devices of `tests/hdl/rtl` and the generated benches in real simulators. A trial whose
 //! simulator is missing counts as ignored.
-// Clauses J-1, J-2 and J-3: the devices pass their benches; J-4: waves line up and dumps agree; J-5:
-// mutants; J-6: lemmas. Clause J-7 is tested in bindings/c/tests.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "hdl/bench.rs"]
@@ -27,6 +25,7 @@ mod tool;
 #[path = "hdl/wave.rs"]
 mod wave;
 
+// Clause J-7 is tested beside the C interface: bindings/c/tests.
 use libtest_mimic::Arguments;
 use tool::Tool;
 

@@ -1,5 +1,6 @@
 //! Benches that pass, in sizes and profiles that mean something.
 
+// Clauses J-1, J-2 and J-3.
 use crate::set::{GHDL, ICARUS, Set, VERILATOR, build_ghdl, build_icarus, build_verilator, good};
 use std::path::{Path, PathBuf};
 use std::thread;

@@ -1,6 +1,7 @@
 //! The lemmas of `formal/` on the devices: proved by induction, and refuted on a mutant with a
 //! waveform.
 
+// Clause J-6.
 use crate::set::{good, run};
 use std::path::Path;
 use tempfile::TempDir;

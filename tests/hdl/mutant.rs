@@ -1,6 +1,7 @@
 //! Defects of the devices, one at a time: each is caught by the benches of the default sets, and
 //! `verify --dut` names its cause.
 
+// Clause J-5.
 use crate::run::run_in;
 use crate::set::run;
 use serde::Deserialize;

@@ -1,5 +1,6 @@
 //! Files that are not what the package says: the bench itself refuses them.
 
+// Clause J-3.
 use crate::set::{GHDL, ICARUS, Set, VERILATOR, build_ghdl, build_icarus, build_verilator, run};
 use std::path::Path;
 

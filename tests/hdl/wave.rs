@@ -1,5 +1,6 @@
 //! The waves of `guardbit trace` and those of a bench: the same scopes, names, widths and words.
 
+// Clause J-4.
 use crate::run::run_in;
 use crate::set::{Set, build_icarus, good};
 use std::collections::BTreeMap;
