@@ -84,9 +84,9 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
         tree(&out)
     };
     let one = write(1);
-    // Ten vector files, ten companions and a manifest each; two files each for d3d11's lines and
+    // Ten vector files, eleven companions and a manifest each; two files each for d3d11's lines and
     // points; and the index.
-    assert_eq!(one.len(), 3 * 21 + 4 + 1);
+    assert_eq!(one.len(), 3 * 22 + 4 + 1);
     for threads in [2, 7] {
         assert!(write(threads) == one, "{threads} threads");
     }
