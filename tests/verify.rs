@@ -101,7 +101,7 @@ fn every_single_change_is_caught_and_its_place_named() {
     let golden = write_set(&profile("tiny"), "triangle", &options(400));
     assert_eq!(complaint(&golden.folder()), None);
     let files = tree(&golden.folder());
-    assert_eq!(files.len(), 21);
+    assert_eq!(files.len(), 22);
     let (next, tried) = (AtomicUsize::new(0), AtomicUsize::new(0));
     std::thread::scope(|scope| {
         for _ in 0..2 {
