@@ -3,9 +3,11 @@
 
 mod fill;
 mod record;
+mod walk;
 
 pub use fill::Raster;
 pub use record::{Drawing, Span};
+pub use walk::Walk;
 
 use crate::cover::{Rect, SampleGrid, Segment};
 use crate::dda::Processor;

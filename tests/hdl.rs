@@ -27,29 +27,7 @@ mod wave;
 
 // Clause J-7 is tested beside the C interface: bindings/c/tests.
 use libtest_mimic::Arguments;
-use tool::Tool;
-
-const ICARUS: Tool = Tool {
-    name: "iverilog",
-    programs: &["iverilog"],
-    version: "-V",
-    hardware: true,
-    package: "apt-get install iverilog",
-};
-const VERILATOR: Tool = Tool {
-    name: "verilator",
-    programs: &["verilator"],
-    version: "--version",
-    hardware: true,
-    package: "apt-get install verilator",
-};
-const GHDL: Tool = Tool {
-    name: "ghdl",
-    programs: &["ghdl"],
-    version: "--version",
-    hardware: true,
-    package: "apt-get install ghdl",
-};
+use tool::{GHDL, ICARUS, Tool, VERILATOR, YOSYS, Z3};
 
 const COCOTB: Tool = Tool {
     name: "cocotb",
@@ -57,20 +35,6 @@ const COCOTB: Tool = Tool {
     version: "--version",
     hardware: true,
     package: "pip install cocotb, apt-get install iverilog",
-};
-const YOSYS: Tool = Tool {
-    name: "yosys",
-    programs: &["yosys"],
-    version: "-V",
-    hardware: true,
-    package: "apt-get install yosys",
-};
-const Z3: Tool = Tool {
-    name: "z3",
-    programs: &["z3"],
-    version: "--version",
-    hardware: true,
-    package: "apt-get install z3",
 };
 
 fn main() {

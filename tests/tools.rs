@@ -10,13 +10,13 @@ mod slurm;
 #[path = "support/tool.rs"]
 mod tool;
 
-use guardbit::measure::cost::{YOSYS, estimate, synthesise};
+use guardbit::measure::cost::{estimate, synthesise};
 use guardbit::profile;
 use libtest_mimic::Arguments;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
-use tool::Tool;
+use tool::{Tool, Z3};
 
 const CHROMIUM: Tool = Tool {
     name: "chromium",
@@ -24,20 +24,6 @@ const CHROMIUM: Tool = Tool {
     version: "--version",
     hardware: false,
     package: "apt-get install chromium",
-};
-const SYNTHESIS: Tool = Tool {
-    name: "yosys",
-    programs: &[YOSYS],
-    version: "-V",
-    hardware: true,
-    package: "apt-get install yosys",
-};
-const Z3: Tool = Tool {
-    name: "z3",
-    programs: &["z3"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install z3",
 };
 const GAPPA: Tool = Tool {
     name: "gappa",
@@ -68,8 +54,8 @@ fn main() {
         CHROMIUM.trial("a_browser_draws_the_page_and_clicks_through_it", page_of_two_fields),
         CHROMIUM.trial("a_page_of_one_budget_is_no_special_case", page_of_one_budget),
         CHROMIUM.trial("a_page_without_depth_is_no_special_case", page_without_depth),
-        SYNTHESIS.trial("every_built_in_profile_is_synthesised", profiles_are_synthesised),
-        SYNTHESIS.trial("a_sweep_counts_the_cells_of_its_front", sweep_is_synthesised),
+        tool::YOSYS.trial("every_built_in_profile_is_synthesised", profiles_are_synthesised),
+        tool::YOSYS.trial("a_sweep_counts_the_cells_of_its_front", sweep_is_synthesised),
         Z3.trial("z3_agrees_with_every_claim", prover::z3_agrees_with_every_claim),
         Z3.trial(
             "z3_reads_the_file_and_refutes_a_spoiled_one",

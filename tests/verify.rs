@@ -630,11 +630,13 @@ fn keyed_rows_come_in_any_order_and_others_do_not() {
         assert_eq!(report.total, 1, "{name}");
         assert!(report.mismatches[0].text.contains("too much"), "{:?}", report.mismatches);
         assert_eq!(report.mismatches[0].row, None);
+        assert!(!report.lost, "{name}: nothing is missing");
         // Two rows gone from the middle.
         lines.drain(4..7);
         let report = golden.compare(name, &lines.join("\n")).unwrap();
         assert_eq!(report.total, 2, "{name}");
         assert!(!report.short, "{name}");
+        assert!(report.lost && report.causes.is_empty(), "{name}: rows are missing, no more");
         for mismatch in &report.mismatches {
             assert!(mismatch.text.contains("missing: test "), "{mismatch:?}");
             assert!(mismatch.line.is_none() && mismatch.row.is_some());
@@ -690,6 +692,24 @@ fn unknown_digits_disagree_and_masked_ones_do_not() {
     let report = golden.compare("dda.exp.tv", &text).unwrap();
     assert!(report.total > 0);
     assert!(report.causes.iter().any(|cause| cause.contains("depth.clamp is sign")));
+}
+
+// Clause J-5
+#[test]
+fn rows_lost_from_an_ordered_file_are_told_from_wrong_ones() {
+    let golden = Golden::named("tiny", 1000);
+    let text = golden.set.text("setup.exp.tv");
+    let mut lines: Vec<&str> = text.lines().collect();
+    // The first row that has words is lost; some rows later another.
+    let first = lines.iter().position(|line| line.ends_with("_0")).unwrap();
+    lines.remove(first + 20);
+    lines.remove(first);
+    let report = golden.compare("setup.exp.tv", &lines.join("\n")).unwrap();
+    assert!(report.lost && report.causes.is_empty(), "{:?}", report.causes);
+    // One row is of another triangle: not lost, but wrong.
+    lines[first] = "00_00_00_00_00_00_00_00_00_00_00_00_0";
+    let report = golden.compare("setup.exp.tv", &lines.join("\n")).unwrap();
+    assert!(!report.lost && report.causes.is_empty(), "{:?}", report.causes);
 }
 
 #[test]

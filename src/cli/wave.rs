@@ -16,7 +16,8 @@ type Files = [(FileSpec, Vec<Vec<u128>>)];
 /// Time units a clock: the edge falls in its middle.
 const CLOCK: u64 = 10;
 
-/// A column as a signal under its name in the generated benches, and its word at each clock; configuration holds its first row.
+/// A column as a signal under its name in the generated benches, and its word at each clock;
+/// configuration holds its first row.
 struct Signal<'a> {
     name: String,
     width: u32,

@@ -4,6 +4,7 @@ use super::rule::FillRule;
 use super::sample::SampleGrid;
 use crate::bits::Lane;
 use crate::dda::Edges;
+use crate::format::{Clamp, ReadOut};
 use crate::setup::{EdgeCoefficients, Triangle, VertexConfig, edges};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -43,6 +44,12 @@ impl EdgeWordConfig {
     /// [`EdgeWordError`] unless it has 2 to 120 bits.
     pub fn validate(&self) -> Result<(), EdgeWordError> {
         if (2..=120).contains(&self.width) { Ok(()) } else { Err(EdgeWordError(self.width)) }
+    }
+
+    /// The word as a read-out: no fraction, no clamp. `None` beyond what a read-out holds.
+    pub fn read_out(&self) -> Option<ReadOut> {
+        let integer = self.width.min(64);
+        ReadOut::new(self.width - integer, integer, 0, Clamp::Wrap).ok()
     }
 
     /// The width that holds every edge value over a window for vertices of this field, found on

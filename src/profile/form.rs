@@ -44,6 +44,17 @@ pub const MACHINES: [(&str, &str); 8] = [
     ("scanline", "Crow"),
 ];
 
+impl Profile {
+    /// The edge words of a plain engine: edge functions over a box and one sample a pixel, and with
+    /// depth a plane whose integer part is stored. `None` for any other profile.
+    pub fn plain_edges(&self) -> Option<EdgeWordConfig> {
+        let Form::EdgeFunction(edge) = self.form else { return None };
+        let stored = self.depth.is_some_and(|depth| depth.format.is_some());
+        let other = stored || self.multisample.is_some() || self.traversal.is_some();
+        (!other).then_some(edge)
+    }
+}
+
 impl Form {
     /// The name profiles use.
     pub const fn name(&self) -> &'static str {

@@ -34,10 +34,22 @@ fn sets(walks: u64) -> Vec<Set> {
     ]
 }
 
-/// Runs a built bench and gives the rows it says it compared.
+/// Runs a built bench and gives the rows it says it compared. It has to have compared those of every
+/// device of this bench that the set's `dut.sv` has.
 fn passes(folder: &Path, (program, arguments): (&str, &[&str])) -> u64 {
     let text = good(folder, program, arguments);
     let pass = text.lines().find(|line| line.contains("PASS ")).expect(&text);
+    let devices = std::fs::read_to_string(folder.join("dut.sv")).unwrap();
+    let streams = program != GHDL.0;
+    for (bench, device, driven) in [
+        ("dda", "dda", true),
+        ("edge", "edge_stepper", true),
+        ("setup", "triangle_setup", streams),
+        ("triangle", "triangle_engine", streams),
+    ] {
+        let has = devices.contains(&format!("\nmodule {device} "));
+        assert_eq!(pass.contains(&format!("{bench} rows=")), has && driven, "{bench}: {pass}");
+    }
     let counts = pass.split("rows=").skip(1);
     counts.map(|rest| rest.split(' ').next().unwrap().trim().parse::<u64>().unwrap()).sum()
 }

@@ -1,5 +1,5 @@
 //! Defects of the devices, one at a time: each is caught by the benches of the default sets, and
-//! `verify --dut` names its cause.
+//! `verify --dut` names its cause. `GUARDBIT_MUTANT=edge` looks at those with that in their id only.
 
 // Clause J-5.
 use crate::run::run_in;
@@ -110,9 +110,6 @@ fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
             continue;
         }
         assert_eq!(ran.status, Some(1), "{}: {} {}", fate.mutant.id, ran.out, ran.err);
-        if std::env::var_os("GUARDBIT_SHOW").is_some() {
-            eprintln!("--- {} {stem}\n{}", fate.mutant.id, ran.out);
-        }
         let first = ran.out.lines().next().unwrap_or_default();
         let class = first.split(' ').next_back().unwrap_or_default();
         let class = class.rsplit_once('/').map_or(class, |(class, _)| class);

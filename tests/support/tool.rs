@@ -19,6 +19,43 @@ pub(crate) struct Tool {
     pub(crate) package: &'static str,
 }
 
+/// The programs that more than one test file runs.
+pub(crate) const ICARUS: Tool = Tool {
+    name: "iverilog",
+    programs: &["iverilog"],
+    version: "-V",
+    hardware: true,
+    package: "apt-get install iverilog",
+};
+pub(crate) const VERILATOR: Tool = Tool {
+    name: "verilator",
+    programs: &["verilator"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install verilator",
+};
+pub(crate) const GHDL: Tool = Tool {
+    name: "ghdl",
+    programs: &["ghdl"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install ghdl",
+};
+pub(crate) const YOSYS: Tool = Tool {
+    name: "yosys",
+    programs: &["yosys"],
+    version: "-V",
+    hardware: true,
+    package: "apt-get install yosys",
+};
+pub(crate) const Z3: Tool = Tool {
+    name: "z3",
+    programs: &["z3"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install z3",
+};
+
 impl Tool {
     /// The first of its programs that this machine has.
     pub(crate) fn program(&self) -> Option<&'static str> {

@@ -1,6 +1,6 @@
 //! Words as arrays of VHDL's `std_ulogic`, for VHPIDIRECT.
 
-use crate::walk::WALKS;
+use crate::walk::{WALKS, clock};
 use crate::{Failure, GUARDBIT_ARGUMENT, answer, null};
 
 /// Bits of such a word.
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn guardbit_clock_logic(
         // SAFETY: as the caller promises.
         let dy = unsafe { logic_in(dy, "dy") }?;
         let op = u32::try_from(op).unwrap_or(u32::MAX);
-        let [state, read] = WALKS.with(walk, |walk| walk.clock(op, [init, dx, dy]))?;
+        let [state, read] = WALKS.with(walk, |walk| clock(walk, op, [init, dx, dy]))?;
         // SAFETY: as the caller promises.
         unsafe { logic_out(acc, "acc", state) }?;
         // SAFETY: as the caller promises.

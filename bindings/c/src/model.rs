@@ -7,7 +7,7 @@ use crate::{
 };
 use guardbit::model::{Drawing, Model};
 use guardbit::profile;
-use guardbit::setup::Triangle;
+use guardbit::scene;
 use std::ffi::{CStr, c_char};
 
 /// A model and its last drawing.
@@ -67,19 +67,12 @@ pub unsafe extern "C" fn guardbit_draw(model: i32, vertices: *const i64) -> i32 
         let at = |n: usize| i128::from(numbers[n]);
         let xy = [0, 3, 6].map(|n| [at(n), at(n + 1)]);
         MODELS.with(model, |open| {
-            let z = open.model.depth().is_some().then(|| [at(2), at(5), at(8)]);
             let refuse = |text: String| Failure::new(GUARDBIT_REFUSED, text);
-            open.model.accept(&xy).map_err(|error| refuse(error.to_string()))?;
-            if let (Some(z), Some(depth)) = (z, open.model.depth()) {
-                let most = (1i128 << depth.read_out().integer()) - 1;
-                if let Some(code) = z.iter().find(|code| !(0..=most).contains(*code)) {
-                    return Err(refuse(format!(
-                        "z = {code} is outside the depth codes 0 to {most}"
-                    )));
-                }
-            }
+            let z = Some([at(2), at(5), at(8)]);
+            let given = scene::Triangle::Lattice { xy, z };
+            let triangle = open.model.snap(&given).map_err(|error| refuse(error.to_string()))?;
             open.drawing.clear();
-            let drawn = open.model.draw(&Triangle { xy, z }, &mut open.drawing);
+            let drawn = open.model.draw(&triangle, &mut open.drawing);
             if let Err(error) = drawn {
                 open.drawing.clear();
                 return Err(refuse(error.to_string()));

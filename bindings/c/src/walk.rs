@@ -3,40 +3,19 @@
 use crate::model::MODELS;
 use crate::table::Table;
 use crate::{Failure, GUARDBIT_ARGUMENT, answer, null, word_in, word_out};
-use guardbit::dda::{Op, Walker};
-use guardbit::format::{Clamp, ReadOut};
-
-/// A walk and its words.
-pub(crate) struct Walk {
-    walker: Walker,
-    width: u32,
-    edge: bool,
-    inputs: [u128; 3],
-}
+use guardbit::dda::Op;
+use guardbit::model::Walk;
 
 pub(crate) static WALKS: Table<Walk> = Table::new("walk", 1);
 
-impl Walk {
-    /// One clock edge; the accumulator and what is read from it.
-    pub(crate) fn clock(&mut self, op: u32, inputs: [u128; 3]) -> Result<[u128; 2], Failure> {
-        if op > 3 {
-            let text = format!("op = {op}: 0 load, 1 step by dx, 2 step by dy, 3 hold");
-            return Err(Failure::new(GUARDBIT_ARGUMENT, text));
-        }
-        if inputs != self.inputs {
-            let [init, dx, dy] = inputs.map(u128::cast_signed);
-            self.walker.rewire(init, dx, dy);
-            self.inputs = inputs;
-        }
-        self.walker.clock(Op::from_code(op.into()));
-        let pattern = self.walker.pattern();
-        let out = if self.edge {
-            u128::from(pattern >> (self.width - 1) == 0)
-        } else {
-            u128::from(self.walker.out())
-        };
-        Ok([pattern, out])
+/// One clock edge of an open walk: the accumulator, and what is read from it.
+pub(crate) fn clock(walk: &mut Walk, op: u32, inputs: [u128; 3]) -> Result<[u128; 2], Failure> {
+    if op > 3 {
+        let text = format!("op = {op}: 0 load, 1 step by dx, 2 step by dy, 3 hold");
+        return Err(Failure::new(GUARDBIT_ARGUMENT, text));
     }
+    let (word, read) = walk.clock(Op::from_code(op.into()), inputs.map(u128::cast_signed));
+    Ok([word, read.into()])
 }
 
 /// Opens a walk of a model, all zeros: kind 0 is its depth accumulator, 1 its edge word. Returns
@@ -44,25 +23,19 @@ impl Walk {
 #[unsafe(no_mangle)]
 pub extern "C" fn guardbit_walk(model: i32, kind: u32) -> i32 {
     answer(|| {
-        let read = MODELS.with(model, |model| {
-            let profile = model.model.profile();
-            let read = match kind {
-                0 => model.model.depth().map(guardbit::value::Depth::read_out),
-                1 => profile.form.edge().and_then(|edge| {
-                    let integer = edge.width.min(64);
-                    ReadOut::new(edge.width - integer, integer, 0, Clamp::Wrap).ok()
-                }),
+        let walk = MODELS.with(model, |open| {
+            let (walk, what) = match kind {
+                0 => (open.model.depth_walk(), "depth"),
+                1 => (open.model.edge_walk(), "edge words"),
                 _ => {
                     let text = format!("kind = {kind}: 0 depth, 1 edge");
                     return Err(Failure::new(GUARDBIT_ARGUMENT, text));
                 }
             };
-            let what = if kind == 0 { "depth" } else { "edge words" };
-            let none = || format!("profile {} has no {what}", profile.name);
-            read.ok_or_else(|| Failure::new(GUARDBIT_ARGUMENT, none()))
+            let none = || format!("profile {} has no {what}", open.model.profile().name);
+            walk.ok_or_else(|| Failure::new(GUARDBIT_ARGUMENT, none()))
         })?;
-        let walker = Walker::new(read, 0, 0, 0);
-        WALKS.open(Walk { walker, width: read.width(), edge: kind == 1, inputs: [0; 3] })
+        WALKS.open(walk)
     })
 }
 
@@ -88,7 +61,7 @@ pub unsafe extern "C" fn guardbit_clock(
         let dx = unsafe { word_in(dx, "dx") }?;
         // SAFETY: as the caller promises.
         let dy = unsafe { word_in(dy, "dy") }?;
-        let [state, read] = WALKS.with(walk, |walk| walk.clock(op, [init, dx, dy]))?;
+        let [state, read] = WALKS.with(walk, |walk| clock(walk, op, [init, dx, dy]))?;
         // SAFETY: as the caller promises.
         unsafe { word_out(acc, "acc", state) }?;
         // SAFETY: as the caller promises.
@@ -113,11 +86,11 @@ pub unsafe extern "C" fn guardbit_clock64(
 ) -> i32 {
     answer(|| {
         let [state, read] = WALKS.with(walk, |walk| {
-            if walk.width > 64 {
-                let text = format!("words have {} bits: use guardbit_clock", walk.width);
+            if walk.width() > 64 {
+                let text = format!("words have {} bits: use guardbit_clock", walk.width());
                 return Err(Failure::new(GUARDBIT_ARGUMENT, text));
             }
-            walk.clock(op, [init, dx, dy].map(u128::from))
+            clock(walk, op, [init, dx, dy].map(u128::from))
         })?;
         if acc.is_null() || out.is_null() {
             return Err(null(if acc.is_null() { "acc" } else { "out" }));

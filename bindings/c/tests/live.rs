@@ -9,21 +9,15 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Once;
 use std::time::Instant;
-use tool::Tool;
+use tool::{GHDL, ICARUS, Tool, VERILATOR};
 
-const fn tool(
-    name: &'static str,
-    programs: &'static [&'static str],
-    package: &'static str,
-) -> Tool {
-    Tool { name, programs, version: "--version", hardware: true, package }
-}
-
-const COMPILER: Tool = tool("cc", &["cc", "gcc"], "apt-get install gcc");
-const VERILATOR: Tool = tool("verilator", &["verilator"], "apt-get install verilator");
-const GHDL: Tool = tool("ghdl", &["ghdl"], "apt-get install ghdl");
-const ICARUS: Tool =
-    Tool { version: "-V", ..tool("iverilog", &["iverilog"], "apt-get install iverilog") };
+const COMPILER: Tool = Tool {
+    name: "cc",
+    programs: &["cc", "gcc"],
+    version: "--version",
+    hardware: true,
+    package: "apt-get install gcc",
+};
 
 fn main() {
     let trials = vec![

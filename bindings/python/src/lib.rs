@@ -1,10 +1,9 @@
 //! The live model for Python. What each thing is, is in `guardbit/__init__.pyi`.
 
-use guardbit::dda::{Op, Walker};
-use guardbit::format::{Clamp, ReadOut};
+use guardbit::dda::Op;
 use guardbit::model::Drawing;
 use guardbit::profile;
-use guardbit::setup::Triangle;
+use guardbit::scene;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -40,17 +39,10 @@ impl Model {
 
     fn draw(&self, vertices: [[i64; 3]; 3]) -> PyResult<Answer> {
         let xy = vertices.map(|[x, y, _]| [i128::from(x), i128::from(y)]);
-        let depth = self.0.depth();
-        let z = depth.map(|_| vertices.map(|[.., z]| i128::from(z)));
-        self.0.accept(&xy).map_err(refuse)?;
-        if let (Some(z), Some(depth)) = (z, depth) {
-            let most = depth.read_out().maximum();
-            if let Some(code) = z.iter().find(|code| !(0..=i128::from(most)).contains(*code)) {
-                return Err(refuse(format!("z = {code} is outside the depth codes 0 to {most}")));
-            }
-        }
+        let z = Some(vertices.map(|[.., z]| i128::from(z)));
+        let triangle = self.0.snap(&scene::Triangle::Lattice { xy, z }).map_err(refuse)?;
         let mut drawing = Drawing::default();
-        self.0.draw(&Triangle { xy, z }, &mut drawing).map_err(refuse)?;
+        self.0.draw(&triangle, &mut drawing).map_err(refuse)?;
         let setup = self.0.ports().setup.iter().zip(&drawing.setup).map(|(column, word)| {
             let mask = u128::MAX >> (128 - column.width);
             (column.name.clone(), word.cast_unsigned() & mask)
@@ -64,37 +56,22 @@ impl Model {
     }
 
     fn depth_walk(&self) -> PyResult<Walk> {
-        let depth = self.0.depth().ok_or_else(|| refuse("this profile has no depth"))?;
-        Ok(Walk::over(depth.read_out(), false))
+        self.0.depth_walk().map(Walk).ok_or_else(|| refuse("this profile has no depth"))
     }
 
     fn edge_walk(&self) -> PyResult<Walk> {
-        let none = || refuse("this profile has no edge words");
-        let edge = self.0.profile().form.edge().ok_or_else(none)?;
-        let integer = edge.width.min(64);
-        let read = ReadOut::new(edge.width - integer, integer, 0, Clamp::Wrap).map_err(refuse)?;
-        Ok(Walk::over(read, true))
+        self.0.edge_walk().map(Walk).ok_or_else(|| refuse("this profile has no edge words"))
     }
 }
 
 #[pyclass]
-struct Walk {
-    walker: Walker,
-    width: u32,
-    edge: bool,
-}
-
-impl Walk {
-    fn over(read: ReadOut, edge: bool) -> Self {
-        Self { walker: Walker::new(read, 0, 0, 0), width: read.width(), edge }
-    }
-}
+struct Walk(guardbit::model::Walk);
 
 #[pymethods]
 impl Walk {
     #[getter]
     fn width(&self) -> u32 {
-        self.width
+        self.0.width()
     }
 
     fn clock(&mut self, op: u64, init: i128, dx: i128, dy: i128) -> PyResult<(u128, u64)> {
@@ -102,11 +79,7 @@ impl Walk {
             let text = format!("op = {op}: 0 load, 1 step by dx, 2 step by dy, 3 hold");
             return Err(refuse(text));
         }
-        self.walker.rewire(init, dx, dy);
-        self.walker.clock(Op::from_code(op));
-        let pattern = self.walker.pattern();
-        let inside = u64::from(pattern >> (self.width - 1) == 0);
-        Ok((pattern, if self.edge { inside } else { self.walker.out() }))
+        Ok(self.0.clock(Op::from_code(op), [init, dx, dy]))
     }
 }
 

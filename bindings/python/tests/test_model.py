@@ -37,7 +37,7 @@ def test_an_edge_is_inside_when_its_sign_is_clear():
     [
         (lambda: guardbit.Model("nothing"), "nothing"),
         (lambda: guardbit.Model("tiny").draw([(-1, 0, 0), (8, 0, 7), (0, 8, 7)]), "-1"),
-        (lambda: guardbit.Model("tiny").draw([(0, 0, 8), (8, 0, 7), (0, 8, 7)]), "z = 8"),
+        (lambda: guardbit.Model("tiny").draw([(0, 0, 8), (8, 0, 7), (0, 8, 7)]), r"v\[0\]\[2\] = 8"),
         (lambda: guardbit.Model("tiny").depth_walk().clock(4, 0, 0, 0), "op = 4"),
     ],
 )

@@ -128,7 +128,7 @@ impl TriangleBench {
         cfg.push(&words);
         if let Quirk::Engine(slip) = self.quirk {
             let number = u64::try_from(test).unwrap_or(0);
-            let answer = self.slipped(slip, triangle, number);
+            let answer = self.slipped(slip, triangle, (&drawing, number));
             exp.push(&summary(test, (answer.spans.len(), answer.samples), &drawing));
             for span in &answer.spans {
                 spans.push(&[test, i128::from(span.y), i128::from(span.x0), i128::from(span.x1)]);

@@ -115,11 +115,7 @@ impl WalkBench {
         match kind {
             WalkKind::Depth => Some(depth?.read_out()),
             // An edge word has no fraction that is read out and no clamp.
-            WalkKind::Edge => {
-                let width = profile.form.edge()?.width;
-                let integer = width.min(64);
-                ReadOut::new(width - integer, integer, 0, Clamp::Wrap).ok()
-            }
+            WalkKind::Edge => profile.form.edge()?.read_out(),
         }
     }
 

@@ -1,5 +1,6 @@
 //! The devices of `tests/hdl/rtl` with a set's parameters as their defaults.
 
+use super::template::mode;
 use super::{ClampParameters, SetupParameters};
 
 /// A module or entity, its text, and the mark before the value of a parameter.
@@ -59,19 +60,8 @@ pub(super) fn clamp(clamp: &ClampParameters) -> Vec<(&'static str, i128)> {
         ("G", clamp.guard.into()),
         ("I", clamp.integer.into()),
         ("F", clamp.fraction.into()),
-        ("MODE", mode(&clamp.mode)),
+        ("MODE", mode(&clamp.mode).1),
     ]
-}
-
-/// The read-out's number in the packages and in the devices.
-fn mode(name: &str) -> i128 {
-    match name {
-        "wrap" => 0,
-        "sign" => 2,
-        "saturate" => 3,
-        // A device cannot refuse a triangle: under `error` it decodes as the guard does.
-        _ => 1,
-    }
 }
 
 /// Parameters of the set-up.

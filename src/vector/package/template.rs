@@ -37,20 +37,20 @@ pub(super) fn package(interface: &Interface, template: &str, files: &[String]) -
             ("GUARD", &clamp.guard.to_string()),
             ("INTEGER", &clamp.integer.to_string()),
             ("FRACTION", &clamp.fraction.to_string()),
-            ("MODE", mode(&clamp.mode)),
+            ("MODE", mode(&clamp.mode).0),
             ("FILES", &files.join("\n")),
         ],
     );
     head(interface, &text)
 }
 
-/// The read-out's name as the packages spell it.
-fn mode(name: &str) -> &'static str {
+/// The read-out's name as the packages spell it, and its number there and in the devices.
+pub(super) fn mode(name: &str) -> (&'static str, i128) {
     match name {
-        "wrap" => "WRAP",
-        "sign" => "SIGN",
-        "saturate" => "SATURATE",
+        "wrap" => ("WRAP", 0),
+        "sign" => ("SIGN", 2),
+        "saturate" => ("SATURATE", 3),
         // A device cannot refuse a triangle: under `error` it decodes as the guard does.
-        _ => "GUARD",
+        _ => ("GUARD", 1),
     }
 }

@@ -4,7 +4,7 @@ use super::{Options, Part, SetRequest, file_name};
 use crate::cover::{EdgeStorage, FillRule};
 use crate::format::Clamp;
 use crate::model::MODEL_VERSION;
-use crate::profile::{Form, Profile};
+use crate::profile::Profile;
 use crate::scene::{self, lines};
 use crate::setup::{Division, Triangle};
 use crate::value::StartBias;
@@ -79,12 +79,8 @@ fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
 
 /// What the set-up of a set's devices is told; `None` where they cannot do the profile's.
 fn setup(profile: &Profile) -> Option<SetupParameters> {
-    let (Form::EdgeFunction(edge), Some(depth)) = (profile.form, profile.depth) else {
-        return None;
-    };
-    let plain =
-        profile.multisample.is_none() && profile.traversal.is_none() && depth.format.is_none();
-    if !plain || depth.division != Division::Quotient {
+    let (edge, depth) = profile.plain_edges().zip(profile.depth)?;
+    if depth.division != Division::Quotient {
         return None;
     }
     let grid = profile.grid().ok()?;

@@ -7,7 +7,6 @@ use super::setup::{SetupSlip, Unit};
 use super::word::{bounds, setup_words};
 use crate::format::Clamp;
 use crate::model::{Drawing, Span};
-use crate::profile::Form;
 use crate::setup::{Division, Triangle};
 use crate::value::Depth;
 use crate::vector::bench::locate;
@@ -86,46 +85,44 @@ impl TriangleBench {
     /// The set-up of this profile with a slip; `None` where a plain unit does not do it.
     pub(super) fn unit(&self, slip: SetupSlip) -> Option<Unit<'_>> {
         let profile = self.model.profile();
-        let Form::EdgeFunction(edge) = profile.form else { return None };
-        let depth = self.model.depth().filter(|depth| depth.config().format.is_none())?;
-        let plain = profile.multisample.is_none() && depth.config().division == Division::Quotient;
-        Some(Unit { slip, edge, depth, grid: profile.grid().ok()? }).filter(|_| plain)
+        let edge = profile.plain_edges()?;
+        let depth = self.model.depth()?;
+        let exact = depth.config().division == Division::Quotient;
+        Some(Unit { slip, edge, depth, grid: profile.grid().ok()? }).filter(|_| exact)
     }
 
     /// The engine of this profile with a slip; `None` where a plain engine does not do it.
     pub(super) fn engine(&self, slip: EngineSlip) -> Option<Engine> {
-        let profile = self.model.profile();
-        let Form::EdgeFunction(edge) = profile.form else { return None };
-        let depth = self.model.depth();
-        let plain = profile.multisample.is_none()
-            && depth.is_none_or(|depth| {
-                let clamp = depth.read_out().clamp();
-                depth.config().format.is_none() && !matches!(clamp, Clamp::Saturate | Clamp::Error)
-            });
-        let read = depth.map(Depth::read_out);
-        plain.then_some(Engine { slip, edge_width: edge.width, read })
+        let edge = self.model.profile().plain_edges()?;
+        let read = self.model.depth().map(Depth::read_out);
+        // A sticky accumulator depends on the way, and a refused triangle has no rows.
+        let told = read.is_none_or(|r| !matches!(r.clamp(), Clamp::Saturate | Clamp::Error));
+        told.then_some(Engine { slip, edge_width: edge.width, read })
     }
 
     /// What an engine with a slip answers.
-    pub(super) fn slipped(&self, slip: EngineSlip, triangle: &Triangle, test: u64) -> Answer {
+    pub(super) fn slipped(
+        &self,
+        slip: EngineSlip,
+        triangle: &Triangle,
+        (drawing, test): (&Drawing, u64),
+    ) -> Answer {
         let Some(engine) = self.engine(slip) else { return Answer::default() };
-        let draw = |triangle: &Triangle| {
-            let drawing = self.drawn(triangle);
+        let draw = |triangle: &Triangle, drawing: &Drawing| {
             if drawing.zero_area {
                 return Answer::default();
             }
-            engine.draw(&setup_words(&self.model, &drawing), bounds(&self.model, triangle))
+            engine.draw(&setup_words(&self.model, drawing), bounds(&self.model, triangle))
         };
-        let mut answer = draw(triangle);
-        if slip == EngineSlip::CountLarge && answer.samples == 0 {
-            answer.samples = 1;
-        }
+        let mut answer = draw(triangle, drawing);
+        answer.samples += u64::from(slip == EngineSlip::CountLarge);
         if slip == EngineSlip::CountKept {
             let mut memory = self.memory.lock().unwrap_or_else(PoisonError::into_inner);
             let before = memory.filter(|(next, _)| *next == test).map(|(_, samples)| samples);
             let before = before.unwrap_or_else(|| {
                 let earlier = (0..test).filter_map(|test| locate(&self.groups, test));
-                earlier.map(|at| draw(&self.triangle_at(at)).samples).sum()
+                let earlier = earlier.map(|at| self.triangle_at(at));
+                earlier.map(|triangle| draw(&triangle, &self.drawn(&triangle)).samples).sum()
             });
             answer.samples += before;
             *memory = Some((test + 1, answer.samples));

@@ -213,7 +213,6 @@ impl Engine {
                 answer.depths.iter_mut().for_each(|(x, _, _)| *x += 1);
             }
             EngineSlip::LeftEndLate => answer.spans.iter_mut().for_each(|span| span.x0 += 1),
-            EngineSlip::CountLarge => answer.samples += 1,
             _ => {}
         }
     }

@@ -1,9 +1,9 @@
 //! A plain set-up unit with a slip: edge functions and an exact quotient, divided bit by bit.
 
-use crate::bits::Rounding;
-use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleGrid};
-use crate::setup::Triangle;
+use crate::cover::{EdgeStorage, EdgeWordConfig, SampleGrid};
+use crate::setup::{EdgeCoefficients, Gradient, Triangle};
 use crate::value::Depth;
+use std::cmp::Ordering;
 
 /// A defect of a set-up unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,21 +79,22 @@ impl Unit<'_> {
     }
 
     fn edge(&self, from: [i128; 2], to: [i128; 2]) -> [i128; 3] {
-        let [ex, ey] = [to[0] - from[0], to[1] - from[1]];
-        let horizontal = if self.slip == SetupSlip::BottomOwns { ex < 0 } else { ex > 0 };
-        let owns = match (self.slip, self.edge.rule) {
-            (SetupSlip::NoBias, _) => true,
-            (SetupSlip::AlwaysBias, _) => false,
-            (_, FillRule::TopLeft) => ey < 0 || (ey == 0 && horizontal),
-            (_, FillRule::Shadow) => ey > 0 || (ey == 0 && horizontal),
+        let edge = EdgeCoefficients::between(from, to);
+        let [ex, ey] = edge.direction();
+        let owns = match self.slip {
+            SetupSlip::NoBias => true,
+            SetupSlip::AlwaysBias => false,
+            // A horizontal edge turned round.
+            SetupSlip::BottomOwns if ey == 0 => self.edge.rule.owns([-ex, ey]),
+            _ => self.edge.rule.owns([ex, ey]),
         };
         let [x, y] = self.grid.offset;
-        let value = ex * (y - from[1]) - ey * (x - from[0]) - i128::from(!owns);
+        let value = edge.at(x, y) - i128::from(!owns);
         let (shift, scale) = match self.edge.storage {
             EdgeStorage::Full => (0, self.grid.sub_pixel),
             EdgeStorage::Shifted => (self.grid.sub_pixel, 0),
         };
-        let (a, b) = (-ey << scale, ex << scale);
+        let (a, b) = (edge.a << scale, edge.b << scale);
         let (a, b) = match self.slip {
             SetupSlip::StepsSwapped => (b, a),
             SetupSlip::StepSignA => (-a, b),
@@ -104,17 +105,16 @@ impl Unit<'_> {
     }
 
     fn plane(&self, xy: [[i128; 2]; 3], z: [i128; 3], area2: i128) -> [i128; 3] {
-        let [[x0, y0], [x1, y1], [x2, y2]] = xy;
-        let (z1, z2) = (z[1] - z[0], z[2] - z[0]);
-        let gx = z1 * (y2 - y0) - z2 * (y1 - y0);
-        let gy = (x1 - x0) * z2 - (x2 - x0) * z1;
+        let gradient = Gradient::new(&Triangle { xy, z: Some(z) }, z);
+        let ([x0, y0], z0) = gradient.anchor;
         let [x, y] = self.grid.offset;
-        let start = z[0] * area2 + gx * (x - x0) + gy * (y - y0);
+        let start = z0 * area2 + gradient.x * (x - x0) + gradient.y * (y - y0);
         let fraction = self.depth.read_out().fraction();
         let short = u32::from(self.slip == SetupSlip::SlopesShort);
         let scale = (self.grid.sub_pixel + fraction).saturating_sub(short);
         let start = self.divide(start << fraction, area2) + self.depth.start_bias();
-        let (dx, dy) = (self.divide(gx << scale, area2), self.divide(gy << scale, area2));
+        let slope = |numerator: i128| self.divide(numerator << scale, area2);
+        let (dx, dy) = (slope(gradient.x), slope(gradient.y));
         if self.slip == SetupSlip::SlopesSwapped { [start, dy, dx] } else { [start, dx, dy] }
     }
 
@@ -132,21 +132,19 @@ impl Unit<'_> {
             }
             q = q << 1 | u128::from(fits);
         }
-        let twice = r.wrapping_mul(2);
-        let (over, tie, odd) = (twice > d, twice == d, q & 1 == 1);
-        let up = match self.depth.config().rounding {
-            Rounding::Floor => r != 0 && negative,
-            Rounding::Ceiling => r != 0 && !negative,
-            Rounding::TowardZero => false,
-            Rounding::AwayFromZero => r != 0,
-            Rounding::NearestEven => over || tie && (odd ^ (self.slip == SetupSlip::TiesToOdd)),
-            Rounding::NearestUp => over || tie && !negative,
-            Rounding::NearestDown => over || tie && negative,
-            Rounding::NearestAway => over || tie,
-            Rounding::NearestTowardZero => over,
-            Rounding::Odd => r != 0 && !odd,
+        // The rounding of q + r / d is that of its parity and of a remainder in quarters.
+        let quarters = match (r, r.wrapping_mul(2).cmp(&d)) {
+            (0, _) => 0,
+            (_, Ordering::Less) => 1,
+            (_, Ordering::Equal) => 2,
+            (_, Ordering::Greater) => 3,
         };
-        let magnitude = (q + u128::from(up)).cast_signed();
+        let odd =
+            (q & 1).cast_signed() ^ i128::from(self.slip == SetupSlip::TiesToOdd && quarters == 2);
+        let near = if negative { -(4 * odd + quarters) } else { 4 * odd + quarters };
+        let rounded =
+            self.depth.config().rounding.divide(near, 4).map_or(odd, |(near, _)| near.abs());
+        let magnitude = q.cast_signed() + rounded - odd;
         if negative && self.slip != SetupSlip::SignLost { -magnitude } else { magnitude }
     }
 }

@@ -112,7 +112,10 @@ impl WalkBench {
         table: &mut Table,
         coverage: &mut Coverage,
     ) {
-        if let Quirk::Word(slip) = self.quirk {
+        let hold_steps = self.quirk == Quirk::Word(Slip::HoldSteps);
+        if let Quirk::Word(slip) = self.quirk
+            && !hold_steps
+        {
             self.emit_slipped(walk, (test, rows), slip, table);
             return;
         }
@@ -122,7 +125,7 @@ impl WalkBench {
         let mut before = self.left_before(test);
         for n in 0..rows {
             let op = walk.op(n);
-            walker.clock(op);
+            walker.clock(if hold_steps && op == Op::Hold { Op::StepX } else { op });
             let now = (walker.pattern().cast_signed(), self.result(walker.pattern(), walker.out()));
             let (acc, out) = match quirk {
                 Quirk::Late => before,

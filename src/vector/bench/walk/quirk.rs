@@ -42,10 +42,10 @@ pub(super) fn quirks(kind: WalkKind, read: ReadOut) -> Vec<(Quirk, String)> {
     ]
     .map(|(quirk, name)| (quirk, name.to_owned()))
     .to_vec();
-    // What holds the accumulator hides these.
-    if read.clamp() != Clamp::Saturate {
-        list.extend(Slip::all(read.width()).map(|slip| (Quirk::Word(slip), slip.text())));
-    }
+    // A register that slips does not hold its accumulator.
+    let sticky = read.clamp() == Clamp::Saturate;
+    let slips = Slip::all(read.width()).filter(|slip| !sticky || *slip == Slip::HoldSteps);
+    list.extend(slips.map(|slip| (Quirk::Word(slip), slip.text())));
     match kind {
         WalkKind::Depth => list.extend(
             ReadSlip::all(read).into_iter().map(|slip| (Quirk::Read(slip), slip.text().to_owned())),

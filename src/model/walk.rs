@@ -1,0 +1,72 @@
+//! Walks of a model's words, clock by clock: what simulators and Python call.
+
+use super::Model;
+use crate::dda::{Op, Walker};
+
+/// A depth accumulator with its read-out, or an edge word with its sign test; all zeros at first.
+#[derive(Clone, Copy, Debug)]
+pub struct Walk {
+    walker: Walker,
+    inputs: [i128; 3],
+    width: u32,
+    edge: bool,
+}
+
+impl Model {
+    /// A walk of the depth accumulator; `None` without depth. Spec clauses `D-1` and `G-1`.
+    pub fn depth_walk(&self) -> Option<Walk> {
+        let read = self.depth()?.read_out();
+        let walker = Walker::new(read, 0, 0, 0);
+        Some(Walk { walker, inputs: [0; 3], width: read.width(), edge: false })
+    }
+
+    /// A walk of an edge word; `None` for a machine that has none. Spec clause `C-5`.
+    pub fn edge_walk(&self) -> Option<Walk> {
+        let read = self.profile().form.edge()?.read_out()?;
+        let walker = Walker::new(read, 0, 0, 0);
+        Some(Walk { walker, inputs: [0; 3], width: read.width(), edge: true })
+    }
+}
+
+impl Walk {
+    /// Bits of its words.
+    pub fn width(&self) -> u32 {
+        self.width
+    }
+
+    /// One clock edge with these words at the inputs, each taken mod 2^width: the start, the slope
+    /// to the right and the slope downward. Returns the word after it, zero-extended, and what is
+    /// read from it: the read-out, or 1 for inside.
+    pub fn clock(&mut self, op: Op, inputs: [i128; 3]) -> (u128, u64) {
+        if inputs != self.inputs {
+            let [init, dx, dy] = inputs;
+            self.walker.rewire(init, dx, dy);
+            self.inputs = inputs;
+        }
+        self.walker.clock(op);
+        let pattern = self.walker.pattern();
+        let inside = u64::from(pattern >> (self.width - 1) == 0);
+        (pattern, if self.edge { inside } else { self.walker.out() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::profile;
+
+    #[test]
+    fn words_wrap_and_are_read() {
+        let model = Model::new(&profile::load("tiny").expect("built in")).expect("valid");
+        let mut walk = model.depth_walk().expect("tiny has depth");
+        assert_eq!(walk.width(), 7);
+        assert_eq!(walk.clock(Op::Load, [8, 0, 0]), (8, 1));
+        assert_eq!(walk.clock(Op::StepX, [0, 56, 0]), (64, 7));
+        // 1 guard bit over 3 integer bits: pattern 1100 is the first that counts as below zero.
+        assert_eq!(walk.clock(Op::StepX, [0, 32, 0]), (96, 0));
+        assert_eq!(walk.clock(Op::Hold, [1, 1, 1]), (96, 0));
+        let mut edge = model.edge_walk().expect("tiny has edge words");
+        assert_eq!(edge.clock(Op::Load, [0, 0, 0]), (0, 1));
+        assert_eq!(edge.clock(Op::StepY, [0, 0, -1]), (63, 0));
+    }
+}
