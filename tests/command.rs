@@ -395,6 +395,13 @@ fn sets_of_the_default_job_lie_side_by_side() {
     // A dump answers one set.
     std::fs::write(home.path().join("dda.exp.tv"), "0_0_0\n").unwrap();
     run_in(home.path(), "verify --dut dda.exp.tv").complains(2, &["holds 4 sets", "sgi-4k-g3"]);
+    // What a bench dumps beside a set does not disturb the check, and is not thrown away.
+    let dumped = "guardbit-vectors/sgi-4k-g3/dda.exp.dut.tv";
+    std::fs::write(home.path().join(dumped), "0_0_0\n").unwrap();
+    run_in(home.path(), "verify").ends(0);
+    run_in(home.path(), "vectors --scene triangle --count 41 --force")
+        .complains(2, &[dumped, "is no part of a vector set"]);
+    assert!(home.path().join(dumped).is_file());
     std::fs::create_dir(home.path().join("mine")).unwrap();
     std::fs::write(home.path().join("mine/thesis.txt"), "years").unwrap();
     run_in(home.path(), "vectors tiny --scene fan --count 9 --out mine --force")

@@ -131,11 +131,14 @@ module setup_divider #(
 
     assign busy = left != 0;
 
-    wire inexact = r != 0;
-    wire [DW+1:0] twice = {r, 1'b0};
+    // Rounded when it stands: nothing behind the registers moves while they work.
+    wire [NW-1:0] whole = busy ? '0 : q;
+    wire [DW:0] rest = busy ? '0 : r;
+    wire inexact = rest != 0;
+    wire [DW+1:0] twice = {rest, 1'b0};
     wire over = twice > {2'b00, d};
     wire tie = twice == {2'b00, d};
-    wire is_odd = q[0];
+    wire is_odd = whole[0];
     logic up;                            // one more of magnitude
     always_comb
         case (ROUNDING)
@@ -150,7 +153,7 @@ module setup_divider #(
             8: up = over;
             default: up = inexact && !is_odd;
         endcase
-    wire [NW-1:0] rounded = q + {{(NW-1){1'b0}}, up};
+    wire [NW-1:0] rounded = whole + {{(NW-1){1'b0}}, up};
     assign quotient = negative ? -rounded : rounded;
 endmodule
 
@@ -187,7 +190,8 @@ module triangle_setup #(
     localparam int D = VW + 2;           // a coordinate, a sample's offset, their difference
     localparam int P = 2 * D + 2;        // a product of two of them, a sum of four
     localparam int Q = I + P + D + 3;    // a numerator of the plane
-    localparam int NW = Q + S + F;       // scaled
+    localparam int ZW = Q + F;           // the start's, scaled
+    localparam int SW = I + D + 3 + S + F; // a slope's, scaled
     localparam int EW = P > M + SHIFT ? P : M + SHIFT;
 
     function automatic logic signed [D-1:0] coordinate(input logic [VW-1:0] v);
@@ -242,18 +246,19 @@ module triangle_setup #(
     wire signed [Q-1:0] gy = Q'(xab) * Q'(zac) - Q'(xac) * Q'(zab);
     wire signed [Q-1:0] gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
     /* verilator lint_off UNUSED */
-    wire [NW-1:0] start, dzdx, dzdy;
+    wire [ZW-1:0] start;
+    wire [SW-1:0] dzdx, dzdy;
     /* verilator lint_on UNUSED */
     wire [2:0] busy;
     wire go = held && !going;
-    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
-        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
+    setup_divider #(.NW(ZW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
+        .clk(clk), .rst(rst), .start(go), .numerator(ZW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
     );
-    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
-        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
     );
-    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
-        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
     );
 
     assign in_ready = !held;

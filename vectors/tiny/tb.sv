@@ -633,7 +633,7 @@ module setup_check (
         if (o_held && (!o_valid || o_now !== o_kept))
             unstable("setup.exp", o_file.line + 1);
         o_held = o_valid && !o_ready;
-        o_kept = o_now;
+        if (o_held) o_kept = o_now;
         if (o_valid === 1'b1 && o_ready) o_compare;
         end
 
@@ -1002,17 +1002,17 @@ module triangle_check (
         if (span_held && (!span_valid || span_now !== span_kept))
             unstable("span.exp", span_file.line + 1);
         span_held = span_valid && !span_ready;
-        span_kept = span_now;
+        if (span_held) span_kept = span_now;
         if (span_valid === 1'b1 && span_ready) span_compare;
         if (depth_held && (!depth_valid || depth_now !== depth_kept))
             unstable("depth.exp", depth_file.line + 1);
         depth_held = depth_valid && !depth_ready;
-        depth_kept = depth_now;
+        if (depth_held) depth_kept = depth_now;
         if (depth_valid === 1'b1 && depth_ready) depth_compare;
         if (triangle_held && (!triangle_valid || triangle_now !== triangle_kept))
             unstable("triangle.exp", triangle_file.line + 1);
         triangle_held = triangle_valid && !triangle_ready;
-        triangle_kept = triangle_now;
+        if (triangle_held) triangle_kept = triangle_now;
         if (triangle_valid === 1'b1 && triangle_ready) triangle_compare;
         end
 

@@ -158,7 +158,7 @@ const START: &str = "        @ANSWER@ready = 1'b0;
 const WATCH: &str = "        if (@ANSWER@held && (!@ANSWER@valid || @ANSWER@now !== @ANSWER@kept))
             unstable(\"@STEM@\", @ANSWER@file.line + 1);
         @ANSWER@held = @ANSWER@valid && !@ANSWER@ready;
-        @ANSWER@kept = @ANSWER@now;
+        if (@ANSWER@held) @ANSWER@kept = @ANSWER@now;
         if (@ANSWER@valid === 1'b1 && @ANSWER@ready) @ANSWER@compare;
 ";
 

@@ -39,9 +39,11 @@ impl Place {
             if !force {
                 return Err(Error::from(ErrorKind::AlreadyExists));
             }
-            let ours = made_by_us(out);
+            let (ours, inner) = made_by_us(out);
             if let Some(entry) = entries.iter().find(|entry| !ours.contains(&entry.file_name())) {
-                let message = format!("{} is no part of a vector set", entry.path().display());
+                // In the folder of a set, what stands between its files is meant, not the set.
+                let strange = inner.unwrap_or_else(|| entry.path());
+                let message = format!("{} is no part of a vector set", strange.display());
                 return Err(Error::new(ErrorKind::DirectoryNotEmpty, message));
             }
         }
@@ -111,21 +113,23 @@ fn names(folder: &Path) -> Result<Vec<OsString>> {
     Ok(names)
 }
 
-/// What a run of this program left in a folder: nothing, if there is no set to be read.
-fn made_by_us(out: &Path) -> BTreeSet<OsString> {
-    let Ok((sets, _)) = check::open(out) else { return BTreeSet::new() };
-    let mut ours = BTreeSet::new();
+/// What a run of this program left in a folder, which is nothing if there is no set to be read; and
+/// what it did not leave in the folder of one of its sets.
+fn made_by_us(out: &Path) -> (BTreeSet<OsString>, Option<PathBuf>) {
+    let (mut ours, mut inner) = (BTreeSet::new(), None);
+    let Ok((sets, _)) = check::open(out) else { return (ours, inner) };
     for set in &sets {
         if set.folder == out {
             ours.insert(OsString::from(manifest::NAME));
             ours.extend(set.manifest.files.iter().map(|file| OsString::from(&file.name)));
         } else {
-            let listed = names(&set.folder).unwrap_or_default().iter().all(|name| {
-                name == manifest::NAME || set.manifest.files.iter().any(|f| *name == *f.name)
+            let strange = names(&set.folder).unwrap_or_default().into_iter().find(|name| {
+                name != manifest::NAME && !set.manifest.files.iter().any(|f| *name == *f.name)
             });
             ours.insert(OsString::from(INDEX));
-            ours.extend(set.folder.file_name().filter(|_| listed).map(OsString::from));
+            ours.extend(set.folder.file_name().filter(|_| strange.is_none()).map(OsString::from));
+            inner = inner.or(strange.map(|name| set.folder.join(name)));
         }
     }
-    ours
+    (ours, inner)
 }

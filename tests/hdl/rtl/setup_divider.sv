@@ -48,11 +48,14 @@ module setup_divider #(
 
     assign busy = left != 0;
 
-    wire inexact = r != 0;
-    wire [DW+1:0] twice = {r, 1'b0};
+    // Rounded when it stands: nothing behind the registers moves while they work.
+    wire [NW-1:0] whole = busy ? '0 : q;
+    wire [DW:0] rest = busy ? '0 : r;
+    wire inexact = rest != 0;
+    wire [DW+1:0] twice = {rest, 1'b0};
     wire over = twice > {2'b00, d};
     wire tie = twice == {2'b00, d};
-    wire is_odd = q[0];
+    wire is_odd = whole[0];
     logic up;                            // one more of magnitude
     always_comb
         case (ROUNDING)
@@ -67,6 +70,6 @@ module setup_divider #(
             8: up = over;
             default: up = inexact && !is_odd;
         endcase
-    wire [NW-1:0] rounded = q + {{(NW-1){1'b0}}, up};
+    wire [NW-1:0] rounded = whole + {{(NW-1){1'b0}}, up};
     assign quotient = negative ? -rounded : rounded;
 endmodule

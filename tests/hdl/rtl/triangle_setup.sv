@@ -31,7 +31,8 @@ module triangle_setup #(
     localparam int D = VW + 2;           // a coordinate, a sample's offset, their difference
     localparam int P = 2 * D + 2;        // a product of two of them, a sum of four
     localparam int Q = I + P + D + 3;    // a numerator of the plane
-    localparam int NW = Q + S + F;       // scaled
+    localparam int ZW = Q + F;           // the start's, scaled
+    localparam int SW = I + D + 3 + S + F; // a slope's, scaled
     localparam int EW = P > M + SHIFT ? P : M + SHIFT;
 
     function automatic logic signed [D-1:0] coordinate(input logic [VW-1:0] v);
@@ -86,18 +87,19 @@ module triangle_setup #(
     wire signed [Q-1:0] gy = Q'(xab) * Q'(zac) - Q'(xac) * Q'(zab);
     wire signed [Q-1:0] gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
     /* verilator lint_off UNUSED */
-    wire [NW-1:0] start, dzdx, dzdy;
+    wire [ZW-1:0] start;
+    wire [SW-1:0] dzdx, dzdy;
     /* verilator lint_on UNUSED */
     wire [2:0] busy;
     wire go = held && !going;
-    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
-        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
+    setup_divider #(.NW(ZW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
+        .clk(clk), .rst(rst), .start(go), .numerator(ZW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
     );
-    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
-        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
     );
-    setup_divider #(.NW(NW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
-        .clk(clk), .rst(rst), .start(go), .numerator(NW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
     );
 
     assign in_ready = !held;
