@@ -4,11 +4,13 @@
 mod budget;
 mod column;
 mod fixed;
+mod layout;
 mod q;
 mod readout;
 
 pub use self::fixed::Fixed;
 pub use budget::Budget;
 pub use column::Column;
+pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
 pub use q::{Format, Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};

@@ -10,6 +10,7 @@ mod line;
 mod multisampled;
 mod painter;
 mod port;
+mod register;
 mod scanline;
 mod tiles;
 mod traversed;
@@ -23,6 +24,12 @@ pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
 pub use line::Lines;
 pub use multisampled::Multisampled;
 pub use port::Ports;
+pub use register::{
+    Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
+    Product, QuadConfig, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig, RegisterError,
+    RegisterMachine, Registers, RowOrder, SlopeConfig, SlopeEdges, SubScanlineConfig, WordsError,
+    columns,
+};
 pub use scanline::{Scanline, ScanlineConfig};
 pub use tiles::{Tiles, TilesConfig, TilesError};
 pub use traversed::Traversed;
@@ -45,6 +52,8 @@ pub enum Input<'a> {
     Line(&'a Segment),
     /// A point, in sub-pixels.
     Point(&'a [i128; 2]),
+    /// Registers, as a machine that begins there takes them.
+    Words(&'a [u32]),
 }
 
 impl Input<'_> {
@@ -56,6 +65,7 @@ impl Input<'_> {
             Self::Polygon(_) => "polygons",
             Self::Line(_) => "lines",
             Self::Point(_) => "points",
+            Self::Words(_) => "registers",
         }
     }
 
@@ -82,6 +92,14 @@ pub enum DrawError {
     /// The machine draws other primitives.
     #[error("this profile's machine does not draw {0}")]
     Primitive(&'static str),
+    /// Another number of words.
+    #[error("{got} words are given, and this machine takes {need}")]
+    Words {
+        /// Words of its list.
+        need: usize,
+        /// Words given.
+        got: usize,
+    },
     /// Numbers too large for exact 128-bit arithmetic.
     #[error("{what} = {value}: this machine takes {low} to {high}")]
     Range {
@@ -134,6 +152,15 @@ pub trait Sink {
     /// their fraction. In `[0, 2^(i+F))`.
     fn held(&mut self, _y: u32, _x0: u32, _accumulators: &[i128]) {}
 
+    /// Whether [`Sink::record`] is wanted.
+    fn wants_records(&self) -> bool {
+        false
+    }
+
+    /// What a register machine writes, in drawing order: the kind of a record and its values, in the
+    /// order of [`Record::names`].
+    fn record(&mut self, _kind: usize, _values: &[i64]) {}
+
     /// What finding the fragments of the primitive took, once it is drawn.
     fn work(&mut self, _work: &Work) {}
 }
@@ -183,6 +210,11 @@ impl Target {
 pub trait Machine: Send + Sync + std::fmt::Debug {
     /// The words it takes and makes.
     fn ports(&self) -> &Ports;
+
+    /// The words that a host would write for a triangle; none on a machine that takes triangles.
+    fn host(&self, _triangle: &Triangle) -> Vec<Vec<u32>> {
+        Vec::new()
+    }
 
     /// Draws one primitive.
     ///

@@ -13,7 +13,7 @@ use crate::cover::{Rect, SampleGrid, Segment};
 use crate::dda::Processor;
 use crate::machine::{
     Barycentric, DrawError, EdgeFunction, EdgeWalk, EnginePerPixel, Gouraud, Homogeneous, Input,
-    Lines, Machine, Multisampled, Ports, Scanline, Sink, Target, Tiles, Traversed,
+    Lines, Machine, Multisampled, Ports, Registers, Scanline, Sink, Target, Tiles, Traversed,
 };
 use crate::profile::{Form, InvalidProfile, Profile};
 use crate::scene;
@@ -184,15 +184,14 @@ impl Model {
         self.machine.draw(&Input::Clip(triangle), out)
     }
 
-    /// Checks integer coordinates in sub-pixels against the vertex field; `form` names them in an
-    /// error.
+    /// Integer coordinates in sub-pixels, snapped in their place where the profile's lattice is finer.
     ///
     /// # Errors
     /// [`PrimitiveError`] for a coordinate outside the field: never a wrap.
-    pub fn accept(&self, points: &[[i128; 2]]) -> Result<(), PrimitiveError> {
-        for (n, point) in points.iter().enumerate() {
-            for (axis, value) in point.iter().enumerate() {
-                self.profile.vertex.accept(n, axis, *value)?;
+    pub fn accept(&self, points: &mut [[i128; 2]]) -> Result<(), PrimitiveError> {
+        for (n, point) in points.iter_mut().enumerate() {
+            for (axis, value) in point.iter_mut().enumerate() {
+                *value = self.profile.vertex.accept(n, axis, *value)?;
             }
         }
         Ok(())
@@ -217,6 +216,25 @@ impl Model {
     /// The words of lines and points.
     pub fn line_ports(&self) -> &Ports {
         self.lines.ports()
+    }
+
+    /// The words of a machine that begins at registers.
+    pub fn registers(&self) -> Option<&Registers> {
+        self.ports().registers.as_ref()
+    }
+
+    /// The words that a host would write for a triangle, on a machine that begins at registers: one list
+    /// or more, none for what is not drawn.
+    pub fn host(&self, triangle: &Triangle) -> Vec<Vec<u32>> {
+        self.machine.host(triangle)
+    }
+
+    /// Draws what registers say, on a machine that begins there: records go to [`Sink::record`].
+    ///
+    /// # Errors
+    /// [`DrawError`] if the machine does not, or takes another number of words.
+    pub fn draw_words(&self, words: &[u32], out: &mut dyn Sink) -> Result<(), DrawError> {
+        self.machine.draw(&Input::Words(words), out)
     }
 
     /// Draws a polygon, on a machine that takes polygons.
@@ -257,6 +275,7 @@ fn build(
         Form::Tiles(machine) => Box::new(Tiles::new(machine, depth, vertex, target, processor)),
         Form::Homogeneous(machine) => Box::new(Homogeneous::new(machine, depth, vertex, target)),
         Form::Scanline(machine) => Box::new(Scanline::new(machine, depth, vertex, target)),
+        Form::Registers(ref machine) => Box::new(machine.machine(vertex, target)?),
     })
 }
 

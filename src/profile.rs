@@ -16,7 +16,10 @@ use crate::cover::{
     PointError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
-use crate::machine::{BarycentricError, EdgeWalkError, HomogeneousError, TilesError};
+use crate::machine::{
+    BarycentricError, EdgeWalkError, HomogeneousError, RegisterConfig, RegisterError, Target,
+    TilesError,
+};
 use crate::setup::{VertexConfig, VertexError};
 use crate::value::{DepthConfig, DepthError};
 use schemars::JsonSchema;
@@ -121,6 +124,15 @@ pub enum InvalidProfile {
     /// The homogeneous machine.
     #[error(transparent)]
     Homogeneous(#[from] HomogeneousError),
+    /// The registers.
+    #[error(transparent)]
+    Registers(#[from] RegisterError),
+    /// A table beside registers that they leave no room for.
+    #[error(
+        "[{0}] beside [form.registers]: registers hold their own values, and a record is all that is \
+         drawn; take the table out"
+    )]
+    BesideRegisters(&'static str),
     /// An order of visits for a machine that has its own.
     #[error(
         "a [traversal] goes with [form.edge-function]; the machine {0} visits samples in an order of \
@@ -150,6 +162,11 @@ impl InvalidProfile {
             Self::Barycentric(_) => &["form", "barycentric"],
             Self::Homogeneous(_) => &["form", "homogeneous"],
             Self::Traversal(_) => &["traversal"],
+            Self::Registers(error) => error.field(),
+            Self::BesideRegisters(table) => match *table {
+                "depth" => &["depth"],
+                _ => &["multisample"],
+            },
             Self::Depth(DepthError::ReadOut(ReadOutError::Integer { .. })) => &["depth", "integer"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
@@ -196,6 +213,7 @@ impl Profile {
                 machine.validate(&self.vertex, read.map(|read| (read, growth)))?;
             }
             Form::Scanline(_) => {}
+            Form::Registers(machine) => self.registers(machine)?,
         }
         if let Some(line) = &self.line {
             line.validate(self.vertex.difference_bits())?;
@@ -212,6 +230,16 @@ impl Profile {
         if self.traversal.is_some() && !matches!(self.form, Form::EdgeFunction(_)) {
             return Err(InvalidProfile::Traversal(self.form.name()));
         }
+        Ok(())
+    }
+
+    fn registers(&self, machine: &RegisterConfig) -> Result<(), InvalidProfile> {
+        let beside = [("depth", self.depth.is_some()), ("multisample", self.multisample.is_some())];
+        if let Some((table, _)) = beside.into_iter().find(|(_, is_there)| *is_there) {
+            return Err(InvalidProfile::BesideRegisters(table));
+        }
+        let target = Target { grid: self.grid()?, clip: self.window()? };
+        machine.machine(&self.vertex, target)?;
         Ok(())
     }
 

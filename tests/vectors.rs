@@ -385,7 +385,7 @@ fn exact_setup(profile: &Profile, xy: [[i128; 2]; 3], z: [i128; 3]) -> Vec<i128>
     let mut words = Vec::new();
     for k in 0..3 {
         let (p, q) = (v[k], v[(k + 1) % 3]);
-        match profile.form {
+        match &profile.form {
             Form::EdgeFunction(edges) => {
                 // Values at three samples give the start and both steps.
                 let at = |x, y| {

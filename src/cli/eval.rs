@@ -2,7 +2,7 @@
 
 use super::Outcome;
 use super::failure::Failure;
-use guardbit::machine::DrawError;
+use guardbit::machine::{DrawError, Registers, Sink};
 use guardbit::model::{Drawing, Model, View};
 use guardbit::profile;
 use guardbit::scene::Triangle;
@@ -20,8 +20,11 @@ const LONGEST: u64 = 1 << 24;
 /// {"bits": "7fc00000"} for NaN and infinities.
 /// "line": [[x,y],[x,y]] and "point": [x,y] draw by the profile's rules, "polygon": [[x,y],...] and
 /// "clip": [[X,Y,Z,W],...] on machines that take them.
+/// "words": ["...", ...] are registers in the profile's radix, on profiles that begin there.
 /// Out: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}; "masks", one a pixel, where
-/// the profile has several samples.
+/// the profile has several samples. Registers are answered by {"id": 7, "out": [["P", ...], ...]}, one
+/// list a record as the hardware draws them, and "masked": [...] names words with bits that no field
+/// holds.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// A built-in name or a TOML file.
@@ -103,6 +106,12 @@ fn reply(
         let message = format!("field `{key}`: the profile has no [depth], so a vertex has no z");
         return refuse(answer, id, &message);
     }
+    if let Primitive::Words(words) = primitive {
+        return match reply_words(model, words, id, answer) {
+            Ok(()) => true,
+            Err(message) => refuse(answer, id, &format!("field `words`: {message}")),
+        };
+    }
     drawing.clear();
     let drawn = draw(model, primitive, drawing);
     match drawn {
@@ -112,6 +121,44 @@ fn reply(
             true
         }
     }
+}
+
+/// Answers registers with records.
+fn reply_words(
+    model: &Model,
+    words: &[String],
+    id: Option<&str>,
+    answer: &mut String,
+) -> Result<(), String> {
+    struct Records<'a> {
+        registers: &'a Registers,
+        answer: &'a mut String,
+        rows: u64,
+    }
+    impl Sink for Records<'_> {
+        fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
+
+        fn record(&mut self, kind: usize, values: &[i64]) {
+            self.answer.push_str(if self.rows == 0 { "[\"" } else { ", [\"" });
+            self.registers.push_record(kind, values, "\", \"", self.answer);
+            self.answer.push_str("\"]");
+            self.rows += 1;
+        }
+    }
+    let Some(registers) = model.registers() else {
+        return Err("this profile's machine draws primitives, not set-up registers".to_owned());
+    };
+    let words = registers.parse(words).map_err(|error| error.to_string())?;
+    let _ = write!(answer, "{{\"id\": {}, \"out\": [", id.unwrap_or("null"));
+    let mut records = Records { registers, answer, rows: 0 };
+    model.draw_words(&words, &mut records).map_err(|error| error.to_string())?;
+    answer.push(']');
+    let masked = registers.input.dropped(&words);
+    if !masked.is_empty() {
+        let _ = write!(answer, ", \"masked\": [\"{}\"]", masked.join("\", \""));
+    }
+    answer.push('}');
+    Ok(())
 }
 
 /// Whether a primitive gives depth.
@@ -129,7 +176,7 @@ fn has_depth(primitive: &Primitive) -> bool {
 fn draw(model: &Model, primitive: &Primitive, out: &mut Drawing) -> Result<bool, String> {
     let key = primitive.key();
     // Coordinates outside the field name the primitive's own key, not a triangle's.
-    let accept = |points: &[[i128; 2]]| {
+    let accept = |points: &mut [[i128; 2]]| {
         model.accept(points).map_err(|error| match key {
             "point" => error.to_string().replace("v[0]", "point").replace("<= v <=", "<= x, y <="),
             _ => {
@@ -143,15 +190,18 @@ fn draw(model: &Model, primitive: &Primitive, out: &mut Drawing) -> Result<bool,
             model.draw(&triangle, out)
         }
         Primitive::Line(line) => {
-            accept(line)?;
-            model.draw_line(line, out)
+            let mut line = *line;
+            accept(&mut line)?;
+            model.draw_line(&line, out)
         }
         Primitive::Point(point) => {
-            accept(&[*point])?;
-            model.draw_point(point, out)
+            let mut point = [*point];
+            accept(&mut point)?;
+            model.draw_point(&point[0], out)
         }
         Primitive::Polygon(polygon) => {
-            accept(&polygon.xy)?;
+            let mut polygon = polygon.clone();
+            accept(&mut polygon.xy)?;
             let top = i128::from(model.profile().depth_max());
             for (n, z) in polygon.z.iter().flatten().enumerate() {
                 if !(0..=top).contains(z) {
@@ -160,14 +210,11 @@ fn draw(model: &Model, primitive: &Primitive, out: &mut Drawing) -> Result<bool,
                     return Err(message);
                 }
             }
-            model.draw_polygon(polygon, out)
+            model.draw_polygon(&polygon, out)
         }
         Primitive::Clip(triangle) => model.draw_clip(triangle, out),
-        Primitive::Words(_) => {
-            return Err("field `words`: this profile's machine draws primitives, not set-up \
-                        registers"
-                .to_owned());
-        }
+        // Answered in a form of its own.
+        Primitive::Words(_) => return Ok(false),
     };
     match result {
         Ok(()) => Ok(has_depth(primitive)),

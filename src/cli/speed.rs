@@ -13,13 +13,14 @@ use std::path::PathBuf;
 /// printed. Sections: "ratios" holds the kernels against plain loops at every processor level of
 /// this machine; "lanes" the depth walk by machine integer and width; "forms" edge function and edge
 /// walk by triangle size, event log off and on; "trade" speed against accuracy by interpolation
-/// bits; "fill" coverage and depth written to memory by the quickest exact path.
+/// bits; "fill" coverage and depth written to memory by the quickest exact path; "registers" the
+/// machines that begin at registers.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// Pairs of passes per figure: more take longer and scatter less.
     #[arg(long, default_value_t = 31, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     repeats: u16,
-    /// Measure these sections only: ratios, lanes, forms, trade, fill.
+    /// Measure these sections only: ratios, lanes, forms, trade, fill, registers.
     #[arg(long, value_name = "SECTIONS", value_delimiter = ',', value_parser = parse_section)]
     only: Vec<Section>,
     /// Draw the section "trade" as a chart into this SVG file.
@@ -71,6 +72,7 @@ fn print(report: &Report, output: &mut Output) -> Result<(), Failure> {
             Section::Forms => forms(report, output)?,
             Section::Trade => trade(report, output)?,
             Section::Fill => fill(report, output)?,
+            Section::Registers => registers(report, output)?,
         }
         output.line(&finding.text)?;
     }
@@ -144,6 +146,22 @@ fn fill(report: &Report, output: &mut Output) -> Result<(), Failure> {
         output.line(format!(
             "{:<9} {:>8.1} {:>10.3} {:>21.3} {:>7.3}",
             row.writes, row.pixels, row.ns_per_pixel, row.millions_per_second, row.ratio
+        ))?;
+    }
+    Ok(())
+}
+
+fn registers(report: &Report, output: &mut Output) -> Result<(), Failure> {
+    output.line("profile     records   ns/triangle   ns/record   thousand triangles/s   ratio")?;
+    for row in &report.registers {
+        output.line(format!(
+            "{:<11} {:>7.1} {:>13.0} {:>11.1} {:>22.1} {:>7.2}",
+            row.profile,
+            row.records,
+            row.ns_per_triangle,
+            row.ns_per_record,
+            row.thousands_per_second,
+            row.ratio
         ))?;
     }
     Ok(())

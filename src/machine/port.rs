@@ -1,5 +1,6 @@
 //! The words a machine takes and makes. Files, packages and waveforms derive from these.
 
+use super::register::Registers;
 use crate::format::Column;
 use crate::setup::VertexConfig;
 use crate::value::Depth;
@@ -17,6 +18,8 @@ pub struct Ports {
     pub mask: Option<Column>,
     /// Whether depth is that of every covered sample of a pixel, and not one a pixel.
     pub by_sample: bool,
+    /// The words of a machine that begins at registers.
+    pub registers: Option<Registers>,
 }
 
 impl Ports {
@@ -64,6 +67,6 @@ impl Ports {
             };
             Column::new("z", depth.code_bits(), false, 0, meaning)
         });
-        Self { input, setup, depth, mask: None, by_sample: false }
+        Self { input, setup, depth, mask: None, by_sample: false, registers: None }
     }
 }

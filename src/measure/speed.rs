@@ -1,13 +1,15 @@
 //! The speed side of the trade, as ratios timed in one run.
 //!
 //! Absolute times on shared machines mean little; a ratio of medians of interleaved repeats does.
-//! Five sections: the kernels against plain loops, the depth walk by lane and width, the machines
-//! by triangle size, speed against accuracy over a ladder of budgets, and the quickest way to memory.
+//! Six sections: the kernels against plain loops, the depth walk by lane and width, the machines
+//! by triangle size, speed against accuracy over a ladder of budgets, the quickest way to memory, and
+//! the machines that begin at registers.
 
 mod fill;
 mod form;
 mod lane;
 mod ratio;
+mod register;
 mod timing;
 mod trade;
 
@@ -15,6 +17,7 @@ pub use fill::FillRow;
 pub use form::{FormRow, SIZES};
 pub use lane::LaneRow;
 pub use ratio::{Ratios, Row};
+pub use register::RegisterRow;
 pub use trade::TradeRow;
 
 use serde::Serialize;
@@ -33,11 +36,14 @@ pub enum Section {
     Trade,
     /// Coverage and depth written to memory by the quickest exact path.
     Fill,
+    /// Machines that begin at registers.
+    Registers,
 }
 
 impl Section {
     /// Every section, in the order they are run.
-    pub const ALL: [Self; 5] = [Self::Ratios, Self::Lanes, Self::Forms, Self::Trade, Self::Fill];
+    pub const ALL: [Self; 6] =
+        [Self::Ratios, Self::Lanes, Self::Forms, Self::Trade, Self::Fill, Self::Registers];
 
     /// The name arguments and reports use.
     pub const fn name(self) -> &'static str {
@@ -47,6 +53,7 @@ impl Section {
             Self::Forms => "forms",
             Self::Trade => "trade",
             Self::Fill => "fill",
+            Self::Registers => "registers",
         }
     }
 }
@@ -72,6 +79,9 @@ pub struct Report {
     /// The quickest exact path.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub fill: Vec<FillRow>,
+    /// Machines that begin at registers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub registers: Vec<RegisterRow>,
     /// What stands out, one line a section.
     pub findings: Vec<Finding>,
 }
@@ -111,6 +121,10 @@ pub fn measure(repeats: usize, sections: &[Section]) -> Report {
             Section::Fill => {
                 report.fill = fill::measure(repeats);
                 fill::finding(&report.fill)
+            }
+            Section::Registers => {
+                report.registers = register::measure(repeats);
+                register::finding(&report.registers)
             }
         };
         report.findings.push(Finding { section, text });

@@ -4,14 +4,15 @@ use super::Profile;
 use crate::bits::Rounding;
 use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, Order, TILE};
 use crate::machine::{
-    BarycentricConfig, EdgeWalkConfig, HomogeneousConfig, ScanlineConfig, TilesConfig,
+    BarycentricConfig, EdgeWalkConfig, HomogeneousConfig, RegisterConfig, ScanlineConfig,
+    TilesConfig,
 };
 use crate::value::Depth;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The machine of a profile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Form {
     /// Three edge functions over the bounding box (Pineda), or in the order of `[traversal]`.
@@ -30,6 +31,8 @@ pub enum Form {
     Homogeneous(HomogeneousConfig),
     /// Exact sides and spans between them (Crow).
     Scanline(ScanlineConfig),
+    /// A machine that begins at registers.
+    Registers(Box<RegisterConfig>),
 }
 
 /// The machines by the names profiles use, each with the one that a lecture knows it by.
@@ -67,6 +70,7 @@ impl Form {
             Self::Tiles(_) => 5,
             Self::Homogeneous(_) => 6,
             Self::Scanline(_) => 7,
+            Self::Registers(_) => return "registers",
         };
         MACHINES[index].0
     }
@@ -78,7 +82,11 @@ impl Form {
             | Self::EnginePerPixel(edge)
             | Self::Barycentric(BarycentricConfig { edge, .. })
             | Self::Tiles(TilesConfig { edge, .. }) => Some(edge),
-            Self::EdgeWalk(_) | Self::Gouraud(_) | Self::Homogeneous(_) | Self::Scanline(_) => None,
+            Self::EdgeWalk(_)
+            | Self::Gouraud(_)
+            | Self::Homogeneous(_)
+            | Self::Scanline(_)
+            | Self::Registers(_) => None,
         }
     }
 
@@ -89,7 +97,11 @@ impl Form {
             | Self::EnginePerPixel(edge)
             | Self::Barycentric(BarycentricConfig { edge, .. })
             | Self::Tiles(TilesConfig { edge, .. }) => Some(edge),
-            Self::EdgeWalk(_) | Self::Gouraud(_) | Self::Homogeneous(_) | Self::Scanline(_) => None,
+            Self::EdgeWalk(_)
+            | Self::Gouraud(_)
+            | Self::Homogeneous(_)
+            | Self::Scanline(_)
+            | Self::Registers(_) => None,
         }
     }
 
@@ -176,8 +188,8 @@ impl Profile {
             let fraction = edge.width.saturating_sub(guard + integer);
             EdgeWalkConfig { guard, integer, fraction, rounding: Rounding::NearestEven }
         });
-        profile.form = match (name, self.form) {
-            (name, form) if name == form.name() => form,
+        profile.form = match (name, &self.form) {
+            (name, form) if name == form.name() => form.clone(),
             ("edge-function", _) => Form::EdgeFunction(edge),
             ("edge-walk", _) => Form::EdgeWalk(walk),
             ("gouraud", _) => Form::Gouraud(walk),

@@ -1,5 +1,7 @@
 //! The one-change neighbours of a profile: what `verify` tries when a dump disagrees.
 
+mod register;
+
 use super::{Form, Profile};
 use crate::bits::Rounding;
 use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};
@@ -21,6 +23,11 @@ pub struct Neighbour {
 /// Every valid profile one change away, likeliest defects first.
 pub fn neighbours(profile: &Profile) -> Vec<Neighbour> {
     let mut list = List { profile, found: Vec::new() };
+    if let Form::Registers(machine) = &profile.form {
+        list.registers(machine);
+        list.vertex();
+        return list.found;
+    }
     list.depth();
     if let Some(edges) = profile.form.edge() {
         list.edge_words(*edges);
@@ -170,6 +177,11 @@ impl List<'_> {
             self.add("vertex.snap", &snap, &self.profile.vertex.snap, changed);
         }
     }
+}
+
+/// The same, and none at all.
+fn near_or_none(bits: u32) -> impl Iterator<Item = u32> {
+    near(bits).chain((bits > 1).then_some(0))
 }
 
 /// One less (if any) and one more.

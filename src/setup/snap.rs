@@ -45,6 +45,10 @@ pub struct VertexConfig {
     pub source: Source,
     /// Infinities and NaN.
     pub endless: Endless,
+    /// Sub-pixel bits of integer coordinates, where they come on a finer lattice and are snapped as
+    /// well.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lattice: Option<u32>,
 }
 
 /// A vertex or a vertex field that cannot be.
@@ -61,6 +65,16 @@ pub enum VertexError {
     /// A signed field needs a sign bit.
     #[error("integer = 0 in a signed vertex field: the sign needs one integer bit")]
     NoSign,
+    /// A lattice that is no finer.
+    #[error(
+        "lattice = {lattice}: sub-pixel = {sub_pixel} < lattice <= 24 is needed, or no lattice"
+    )]
+    Lattice {
+        /// Sub-pixel bits of integer coordinates.
+        lattice: u32,
+        /// Sub-pixel bits of the field.
+        sub_pixel: u32,
+    },
     /// A coordinate lies outside the field.
     #[error(
         "{form}[{vertex}][{axis}] = {value} is outside the vertex field: {low} <= {form} <= {high}"
@@ -101,6 +115,11 @@ impl VertexConfig {
         if self.signed && integer == 0 {
             return Err(VertexError::NoSign);
         }
+        if let Some(lattice) = self.lattice
+            && !(sub_pixel + 1..=24).contains(&lattice)
+        {
+            return Err(VertexError::Lattice { lattice, sub_pixel });
+        }
         match integer.checked_add(sub_pixel) {
             Some(1..=32) => Ok(()),
             _ => Err(VertexError::Field { integer, sub_pixel }),
@@ -123,12 +142,17 @@ impl VertexConfig {
         1 + (i128::BITS - (high - low).leading_zeros())
     }
 
-    /// Refuses a lattice coordinate outside the field: an error, never a wrap. Spec clause `S-2`.
+    /// An integer coordinate in sub-pixels, snapped from the profile's lattice where that is finer;
+    /// outside the field it is refused: an error, never a wrap. Spec clauses `S-2` and `S-5`.
     ///
     /// # Errors
     /// [`VertexError::Outside`].
     pub fn accept(&self, vertex: usize, axis: usize, value: i128) -> Result<i128, VertexError> {
         let (low, high) = self.range();
+        let value = match self.lattice {
+            Some(lattice) => self.snap.shift_right(value, lattice - self.sub_pixel).0,
+            None => value,
+        };
         if (low..=high).contains(&value) {
             Ok(value)
         } else {

@@ -2,12 +2,14 @@
 //! way to emit any test alone. Spec clauses `N-2` to `N-4`.
 
 mod coverage;
+mod register;
 mod shape;
 mod slip;
 mod triangle;
 mod walk;
 
 pub use coverage::{Cell, Coverage, Shape};
+pub use register::RegisterBench;
 pub use shape::{ShapeBench, ShapeKind};
 pub use triangle::TriangleBench;
 pub use walk::{WalkBench, WalkKind};
@@ -74,7 +76,7 @@ pub trait Bench: Send + Sync {
 
     /// How to take apart the words of a column: name and bits of its fields, most significant
     /// first; empty for a plain number.
-    fn fields(&self, column: &str) -> Vec<(&'static str, u32)>;
+    fn fields(&self, column: &str) -> Vec<(String, u32)>;
 
     /// Devices that differ from the profile in one decision, and that decision in words: the same
     /// stimulus, other expectations.
@@ -109,6 +111,10 @@ impl Source {
     /// The benches that this profile has, in file order.
     pub fn benches(&self) -> Vec<Box<dyn Bench>> {
         let mut benches: Vec<Box<dyn Bench>> = Vec::new();
+        if let Some(bench) = RegisterBench::new(self) {
+            benches.push(Box::new(bench));
+            return benches;
+        }
         for kind in [WalkKind::Depth, WalkKind::Edge] {
             if let Some(bench) = WalkBench::new(kind, self) {
                 benches.push(Box::new(bench));

@@ -35,7 +35,7 @@ fn fields() -> impl Strategy<Value = VertexConfig> {
         let [signed, closed, narrow, clamp] = flags;
         let source = if narrow { Source::F32 } else { Source::F64 };
         let endless = if clamp { Endless::Clamp } else { Endless::Refuse };
-        VertexConfig { integer, sub_pixel, signed, closed, snap, source, endless }
+        VertexConfig { integer, sub_pixel, signed, closed, snap, source, endless, lattice: None }
     })
 }
 

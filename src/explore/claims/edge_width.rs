@@ -144,6 +144,7 @@ fn sgi_field(closed: bool) -> VertexConfig {
         snap: Rounding::NearestEven,
         source: Source::F64,
         endless: Endless::Refuse,
+        lattice: None,
     }
 }
 

@@ -142,6 +142,7 @@ impl Question {
             snap: crate::bits::Rounding::NearestEven,
             source: Source::F64,
             endless: Endless::Refuse,
+            lattice: None,
         };
         let profile = Profile {
             schema: SCHEMA,

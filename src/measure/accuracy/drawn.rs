@@ -70,9 +70,9 @@ impl Drawn {
             let exact = &stage.runs[face.runs.clone()];
             // A word that holds every value the walk meets covers what the exact edges do: `B-2`.
             // What other machines look at is known by drawing alone.
-            let certain = match (profile.form, profile.traversal) {
+            let certain = match (&profile.form, profile.traversal) {
                 (Form::EdgeFunction(edges), None) => {
-                    needed_width(stage, face, edges) <= edges.width
+                    needed_width(stage, face, *edges) <= edges.width
                 }
                 _ => false,
             };

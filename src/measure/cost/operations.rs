@@ -93,6 +93,8 @@ pub(super) fn count(profile: &Profile) -> Operations {
         Form::Tiles(form) => machine::tiles(form.edge.rule),
         Form::Homogeneous(form) => machine::homogeneous(form.rule),
         Form::Scanline(_) => machine::scanline(),
+        // Their engines are hardware that is described, not a budget that is chosen.
+        Form::Registers(_) => return Operations::default(),
     };
     let Some(depth) = profile.depth else { return operations };
     match profile.form {

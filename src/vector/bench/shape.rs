@@ -272,7 +272,7 @@ impl Bench for ShapeBench {
         )
     }
 
-    fn fields(&self, _: &str) -> Vec<(&'static str, u32)> {
+    fn fields(&self, _: &str) -> Vec<(String, u32)> {
         Vec::new()
     }
 

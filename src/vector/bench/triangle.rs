@@ -248,14 +248,14 @@ impl Bench for TriangleBench {
         text + " in sub-pixels and depth codes"
     }
 
-    fn fields(&self, column: &str) -> Vec<(&'static str, u32)> {
+    fn fields(&self, column: &str) -> Vec<(String, u32)> {
         match (column, self.model.depth()) {
             ("z" | "dzdx" | "dzdy", Some(depth)) if !self.draws => {
                 let read = depth.read_out();
                 vec![
-                    ("guard", read.guard()),
-                    ("integer", read.integer()),
-                    ("fraction", read.fraction()),
+                    ("guard".to_owned(), read.guard()),
+                    ("integer".to_owned(), read.integer()),
+                    ("fraction".to_owned(), read.fraction()),
                 ]
             }
             _ => Vec::new(),

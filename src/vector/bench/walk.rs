@@ -288,11 +288,13 @@ impl Bench for WalkBench {
         format!("a walk from {start} by dx {dx}, dy {dy}")
     }
 
-    fn fields(&self, column: &str) -> Vec<(&'static str, u32)> {
+    fn fields(&self, column: &str) -> Vec<(String, u32)> {
         let (guard, integer, fraction) =
             (self.read.guard(), self.read.integer(), self.read.fraction());
         if column == "acc" {
-            vec![("guard", guard), ("integer", integer), ("fraction", fraction)]
+            [("guard", guard), ("integer", integer), ("fraction", fraction)]
+                .map(|(name, bits)| (name.to_owned(), bits))
+                .to_vec()
         } else {
             Vec::new()
         }

@@ -56,7 +56,7 @@ fn value(column: &Column, word: u128) -> i128 {
     if column.signed { word.cast_signed() << unused >> unused } else { word.cast_signed() }
 }
 
-fn in_fields(fields: &[(&'static str, u32)], word: u128) -> String {
+fn in_fields(fields: &[(String, u32)], word: u128) -> String {
     let mut left: u32 = fields.iter().map(|(_, bits)| bits).sum();
     let mut parts = Vec::new();
     for (name, bits) in fields.iter().filter(|(_, bits)| *bits > 0) {

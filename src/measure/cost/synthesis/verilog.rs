@@ -29,7 +29,7 @@ pub fn sources(profile: &Profile) -> Result<Vec<Source>, InvalidProfile> {
     profile.validate()?;
     let depth = profile.depth.map(|depth| depth.validate(&profile.vertex)).transpose()?;
     let source = |unit: &Unit| {
-        let verilog = match (unit.name, profile.form, depth) {
+        let verilog = match (unit.name, &profile.form, depth) {
             ("depth", _, Some(read)) => {
                 let port = format!("[{}:0] value", read.integer() - 1);
                 planar(unit.width, &port, &read_out(read), Some(read))

@@ -1,0 +1,292 @@
+//! Rasterizers that begin at registers: a list of 32-bit words in, records of what was drawn out.
+//! Spec clauses `RG-1` to `RG-4`.
+
+mod anchored;
+mod host;
+mod input;
+mod quad;
+mod quad_engine;
+mod quad_host;
+mod slope;
+mod slope_edge;
+mod sub_scanline;
+mod sub_span;
+mod text;
+
+pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest};
+pub use input::RegisterError;
+pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};
+pub use slope::{ClipEnds, Plane, RowOrder, SlopeConfig, SlopeEdges};
+pub use sub_scanline::{Product, SubScanlineConfig};
+pub use text::WordsError;
+
+use super::{DrawError, Input, Machine, Ports, Sink, Target};
+use crate::format::{Column, Layout, Packer};
+use crate::setup::{Triangle, VertexConfig};
+use crate::value::{Channel, ChannelConfig};
+use input::Inputs;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// The machine of `[form.registers]`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct RegisterConfig {
+    /// The radix in which words are given, 10 or 16.
+    pub radix: u32,
+    /// The words it takes: the fields in each, as `NAME:BITS@LOWEST`.
+    pub input: Vec<String>,
+    /// What it writes.
+    pub records: Vec<RecordConfig>,
+    /// Interpolated values.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub channels: Vec<ChannelConfig>,
+    /// How registers become fragments.
+    pub engine: EngineConfig,
+}
+
+/// One kind of record.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub struct RecordConfig {
+    /// The letter that its lines begin with.
+    pub letter: char,
+    /// Its words: the fields in each.
+    pub words: Vec<String>,
+}
+
+/// How registers become fragments.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
+pub enum EngineConfig {
+    /// Wrapping edge functions over quads of 2 x 2 pixels.
+    Quads(QuadConfig),
+    /// Vertices, exact spans, and planes anchored at one vertex.
+    Anchored(AnchoredConfig),
+    /// Edges walked by their slopes, one row at a time.
+    Slopes(SlopeConfig),
+    /// Edges walked by their slopes, four sub-scanlines a row.
+    SubScanlines(SubScanlineConfig),
+}
+
+impl EngineConfig {
+    /// The name profiles use.
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Quads(_) => "quads",
+            Self::Anchored(_) => "anchored",
+            Self::Slopes(_) => "slopes",
+            Self::SubScanlines(_) => "sub-scanlines",
+        }
+    }
+}
+
+/// A kind of record, ready to be written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Record {
+    /// The letter that its lines begin with.
+    pub letter: char,
+    /// The values that [`Sink::record`] is given, in order.
+    pub names: Vec<String>,
+    /// Its words.
+    pub layout: Layout,
+    packer: Packer,
+}
+
+impl Record {
+    /// The words of a record of these values.
+    pub fn words<'a>(&'a self, values: &'a [i64]) -> impl Iterator<Item = u32> + 'a {
+        self.packer.words(values)
+    }
+
+    /// The place of a value.
+    pub fn position(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known == name)
+    }
+}
+
+/// The words that a register machine takes and makes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Registers {
+    /// The radix in which words are given, 10 or 16.
+    pub radix: u32,
+    /// What it takes.
+    pub input: Layout,
+    /// What it writes.
+    pub records: Vec<Record>,
+}
+
+/// What turns words into records.
+trait Engine: Send + Sync + std::fmt::Debug {
+    /// Draws what the words say; `emit` takes the kind of a record and its values.
+    fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
+
+    /// The words that a host would write for a triangle, one list or more, each of `count` words.
+    fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>>;
+}
+
+/// An engine, and the names of the values of each kind of record that it writes.
+type Built = (Box<dyn Engine>, Vec<Vec<String>>);
+
+/// A machine that begins at registers.
+#[derive(Debug)]
+pub struct RegisterMachine {
+    engine: Box<dyn Engine>,
+    target: Target,
+    ports: Ports,
+}
+
+impl RegisterConfig {
+    /// The machine, if its parts go together.
+    ///
+    /// # Errors
+    /// [`RegisterError`] names the part and the reason.
+    pub fn machine(
+        &self,
+        vertex: &VertexConfig,
+        target: Target,
+    ) -> Result<RegisterMachine, RegisterError> {
+        if !matches!(self.radix, 10 | 16) {
+            return Err(RegisterError::Radix(self.radix));
+        }
+        let input = Layout::parse(&self.input).map_err(RegisterError::Input)?;
+        let mut channels: Vec<Channel> = Vec::new();
+        for group in &self.channels {
+            for channel in group.channels()? {
+                if channels.iter().any(|known| known.name == channel.name) {
+                    return Err(crate::value::ChannelError::Twice(channel.name).into());
+                }
+                channels.push(channel);
+            }
+        }
+        let inputs = Inputs::new(&input);
+        let (engine, made): Built = match &self.engine {
+            EngineConfig::Quads(config) => config.engine(&inputs, &channels, vertex, target)?,
+            EngineConfig::Anchored(config) => config.engine(&inputs, channels, vertex, target)?,
+            EngineConfig::Slopes(config) => config.engine(&inputs, channels, vertex, target)?,
+            EngineConfig::SubScanlines(config) => {
+                config.engine(&inputs, channels, vertex, target)?
+            }
+        };
+        inputs.all_known(self.engine.name())?;
+        if made.len() != self.records.len() {
+            let (need, got) = (made.len(), self.records.len());
+            return Err(RegisterError::Records { engine: self.engine.name(), need, got });
+        }
+        let records = self.records.iter().zip(made).map(|(config, names)| {
+            let RecordConfig { letter, words } = config;
+            let letter = *letter;
+            let layout =
+                Layout::parse(words).map_err(|source| RegisterError::Record { letter, source })?;
+            let packer = layout.packer(&names).map_err(|name| RegisterError::Value {
+                letter,
+                name,
+                known: names.join(", "),
+            })?;
+            Ok(Record { letter, names, layout, packer })
+        });
+        let records = records.collect::<Result<Vec<_>, RegisterError>>()?;
+        let registers = Some(Registers { radix: self.radix, input, records });
+        let ports = Ports { registers, ..Ports::valued(vertex, Vec::new(), None) };
+        Ok(RegisterMachine { engine, target, ports })
+    }
+}
+
+impl RegisterMachine {
+    /// Words of a list.
+    fn count(&self) -> usize {
+        self.ports.registers.as_ref().map_or(0, |registers| registers.input.len())
+    }
+
+    /// The pixels of a triangle, by way of the registers that a host would write for it.
+    fn triangle(&self, triangle: &Triangle, out: &mut dyn Sink) {
+        if triangle.area2() == 0 {
+            out.zero_area();
+        }
+        let Some(registers) = &self.ports.registers else { return };
+        let mut pixels: Vec<(i64, i64)> = Vec::new();
+        let wanted = out.wants_records();
+        let place: Vec<_> = registers
+            .records
+            .iter()
+            .map(|record| ["x", "y", "mask"].map(|name| record.position(name)))
+            .collect();
+        for words in self.host(triangle) {
+            self.engine.run(&words, &mut |kind, values| {
+                match place[kind] {
+                    // A quad's mask says which of its four pixels.
+                    [Some(x), Some(y), Some(mask)] => {
+                        for bit in 0..4 {
+                            if values[mask] >> bit & 1 == 1 {
+                                let at = (2 * values[x] + (bit & 1), 2 * values[y] + (bit >> 1));
+                                pixels.push((at.1, at.0));
+                            }
+                        }
+                    }
+                    [Some(x), Some(y), None] => pixels.push((values[y], values[x])),
+                    _ => {}
+                }
+                if wanted {
+                    out.record(kind, values);
+                }
+            });
+        }
+        let clip = &self.target.clip;
+        let inside = |value: i64, axis| {
+            let (low, high) = clip.clip(axis, (i128::from(value), i128::from(value) + 1));
+            low < high
+        };
+        pixels.retain(|&(y, x)| inside(x, 0) && inside(y, 1));
+        pixels.sort_unstable();
+        pixels.dedup();
+        for run in pixels.chunk_by(|a, b| a.0 == b.0 && a.1 + 1 == b.1) {
+            let at = |value: i64| u32::try_from(value).unwrap_or(0);
+            let ((y, x0), length) = (run[0], run.len());
+            out.span(at(y), at(x0), at(x0) + u32::try_from(length).unwrap_or(0), &[]);
+        }
+    }
+}
+
+impl Machine for RegisterMachine {
+    fn ports(&self) -> &Ports {
+        &self.ports
+    }
+
+    fn host(&self, triangle: &Triangle) -> Vec<Vec<u32>> {
+        self.engine.host(triangle, self.count())
+    }
+
+    fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
+        match input {
+            Input::Words(words) => {
+                if words.len() != self.count() {
+                    return Err(DrawError::Words { need: self.count(), got: words.len() });
+                }
+                self.engine.run(words, &mut |kind, values| out.record(kind, values));
+                Ok(())
+            }
+            Input::Triangle(triangle) => {
+                self.triangle(triangle, out);
+                Ok(())
+            }
+            other => Err(DrawError::Primitive(other.name())),
+        }
+    }
+}
+
+/// A column of each word of a list.
+pub fn columns(layout: &Layout) -> Vec<Column> {
+    let names = layout.word_names().into_iter().enumerate();
+    let column = |(n, name): (usize, String)| {
+        let fields = layout.fields(n).iter().rev();
+        let text = fields.map(|field| {
+            let name = field.name.trim_start_matches('-');
+            let from =
+                if field.piece > 0 { format!(" from bit {}", field.piece) } else { String::new() };
+            format!("{name}{from} in bits {} to {}", field.at, field.at + field.width - 1)
+        });
+        let meaning = format!("Word {n}: {}.", text.collect::<Vec<_>>().join(", "));
+        Column::new(&name, crate::format::WORD, false, 0, &meaning)
+    };
+    names.map(column).collect()
+}

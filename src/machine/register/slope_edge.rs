@@ -1,0 +1,304 @@
+//! The edges of the engine `slopes`: divided from vertices, or given. Spec clauses `RG-11` and `RG-12`.
+
+use super::host::{attributes, gradient};
+use super::input::{Inputs, RegisterError};
+use super::slope::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges, Slopes};
+use crate::bits::Rounding;
+use crate::format::Gather;
+use crate::setup::{Triangle, VertexConfig};
+
+/// Where the registers of the edges lie.
+#[derive(Clone, Debug)]
+pub(super) struct EdgeInput {
+    source: Source,
+    /// The register that says which way rows run, and what it says of rows to the left.
+    direction: (Gather, bool),
+    fraction: u32,
+}
+
+#[derive(Clone, Debug)]
+enum Source {
+    Divided { vertices: [[Gather; 2]; 3], row_bias: i64 },
+    Given { start: [Gather; 2], slope: Gather, ends: [[Gather; 3]; 2], rows: RowOrder },
+}
+
+/// The edges of a triangle, read.
+pub(super) struct Walk {
+    /// Whether rows run to the left.
+    pub(super) leftward: bool,
+    /// x where the first edge starts.
+    pub(super) first_x: i32,
+    /// The first vertex in sub-pixels, where there are vertices.
+    pub(super) vertex: [i64; 2],
+    fraction: u32,
+    sub_pixel: u32,
+    kind: Kind,
+}
+
+enum Kind {
+    /// Vertices, slopes of AB, AC and BC, and the rows.
+    Divided { v: [[i32; 2]; 3], slopes: [i32; 3], rows: [i64; 2] },
+    /// x and its step; end x, its step and rows of the lower and the upper end; the first row.
+    Given { x: [i32; 2], ends: [(i32, i32, u64); 2], y: i64, down: i64 },
+}
+
+impl EdgeInput {
+    pub(super) fn new(
+        config: &SlopeConfig,
+        inputs: &Inputs<'_>,
+        vertex: &VertexConfig,
+    ) -> Result<Self, RegisterError> {
+        let fault = |reason: String| RegisterError::Together { engine: NAME, reason };
+        let all = |names: [&str; 3]| inputs.all(NAME, names);
+        let pair = |names: [&str; 2]| inputs.all(NAME, names);
+        let (fraction, source) = match config.edges {
+            SlopeEdges::Divided { fraction, row_bias } => {
+                if vertex.integer + vertex.sub_pixel > 16 {
+                    return Err(fault(format!(
+                        "vertex integer + sub-pixel = {} <= 16 is needed for slopes of 32 bits",
+                        vertex.integer + vertex.sub_pixel
+                    )));
+                }
+                if !(vertex.sub_pixel.max(1)..=16).contains(&fraction) {
+                    return Err(fault(format!(
+                        "sub-pixel = {} <= fraction = {fraction} <= 16 is needed",
+                        vertex.sub_pixel.max(1)
+                    )));
+                }
+                let vertices = [pair(["xa", "ya"])?, pair(["xb", "yb"])?, pair(["xc", "yc"])?];
+                (fraction, Source::Divided { vertices, row_bias: i64::from(row_bias) })
+            }
+            SlopeEdges::Given { fraction, rows } => {
+                if !(1..=24).contains(&fraction) {
+                    return Err(fault(format!("1 <= fraction = {fraction} <= 24 is needed")));
+                }
+                let ends = [
+                    all(["end01", "end01_step", "rows01"])?,
+                    all(["end12", "end12_step", "rows12"])?,
+                ];
+                let start = pair(["x", "y"])?;
+                let slope = inputs.need(NAME, "x_step")?;
+                (fraction, Source::Given { start, slope, ends, rows })
+            }
+        };
+        if let Plane::AtEdge { fraction: part } = config.plane
+            && !(1..=fraction).contains(&part)
+        {
+            return Err(fault(format!(
+                "plane at-edge fraction = {part}: 1 to {fraction} is needed"
+            )));
+        }
+        if config.pixel_bias >= 1 << fraction {
+            let bias = config.pixel_bias;
+            return Err(fault(format!(
+                "pixel-bias = {bias} < 2^fraction = {} is needed",
+                1 << fraction
+            )));
+        }
+        let direction = match (inputs.may("leftward"), inputs.may("rightward")) {
+            (Some(left), None) => (left, true),
+            (None, Some(right)) => (right, false),
+            _ => {
+                return Err(fault(
+                    "exactly one of `leftward` and `rightward` is needed".to_owned(),
+                ));
+            }
+        };
+        Ok(Self { source, direction, fraction })
+    }
+
+    /// The edges that the words give.
+    pub(super) fn walk(&self, words: &[u32], sub_pixel: u32) -> Walk {
+        let (direction, says_left) = &self.direction;
+        let leftward = (direction.unsigned(words) != 0) == *says_left;
+        let read = |gather: &Gather| low(gather.signed(words));
+        let fraction = self.fraction;
+        match &self.source {
+            Source::Divided { vertices, row_bias } => {
+                let v = vertices.each_ref().map(|vertex| vertex.each_ref().map(read));
+                let slope = |a: [i32; 2], b: [i32; 2]| {
+                    // The numerator wraps to 32 bits; a flat edge has no rows.
+                    let along = b[0].wrapping_sub(a[0]) << fraction;
+                    along.checked_div(b[1].wrapping_sub(a[1])).unwrap_or(0)
+                };
+                let row = |y: i32| (i64::from(y) + row_bias) >> sub_pixel;
+                Walk {
+                    leftward,
+                    first_x: v[0][0] << (fraction - sub_pixel),
+                    vertex: v[0].map(i64::from),
+                    fraction,
+                    sub_pixel,
+                    kind: Kind::Divided {
+                        v,
+                        slopes: [slope(v[0], v[1]), slope(v[0], v[2]), slope(v[1], v[2])],
+                        rows: [row(v[0][1]), row(v[2][1])],
+                    },
+                }
+            }
+            Source::Given { start, slope, ends, rows } => {
+                let x = [read(&start[0]), read(slope)];
+                let end =
+                    |[x, step, rows]: &[Gather; 3]| (read(x), read(step), rows.unsigned(words));
+                let y = i64::from(read(&start[1]));
+                let down = if *rows == RowOrder::Down { 1 } else { -1 };
+                let kind = Kind::Given { x, ends: [end(&ends[0]), end(&ends[1])], y, down };
+                Walk { leftward, first_x: x[0], vertex: [0; 2], fraction, sub_pixel, kind }
+            }
+        }
+    }
+}
+
+/// The low 32 bits.
+fn low(value: i64) -> i32 {
+    let [a, b, c, d, ..] = value.to_le_bytes();
+    i32::from_le_bytes([a, b, c, d])
+}
+
+impl Walk {
+    /// The pixel of an x: a bias, then the floor.
+    pub(super) fn pixel(&self, x: i32, bias: u32) -> i64 {
+        i64::from(x.wrapping_add(bias.cast_signed()) >> self.fraction)
+    }
+
+    /// How far the first pixel of a row lies from its edge, in 2^-bits pixels: the distance that the
+    /// fraction of x - 1 leaves, so that an edge on a pixel is one unit and no whole pixel away.
+    pub(super) fn part(&self, x: i32, bits: u32) -> i64 {
+        let mask = (1i32 << self.fraction) - 1;
+        let fraction = i64::from(x.wrapping_sub(1) & mask) >> (self.fraction - bits);
+        if self.leftward { fraction } else { (1 << bits) - fraction }
+    }
+
+    /// Calls `row` with the number of the row from the first, y, and x of both ends.
+    pub(super) fn rows(&self, mut row: impl FnMut(i64, i64, i32, i32)) {
+        match self.kind {
+            Kind::Divided { v: [a, b, c], slopes: [ab, ac, bc], rows } => {
+                let s = self.sub_pixel;
+                let at = |from: [i32; 2], slope: i32, centre: i32| {
+                    let along = slope.wrapping_mul(centre.wrapping_sub(from[1])) >> s;
+                    (from[0] << (self.fraction - s)).wrapping_add(along)
+                };
+                let _ = c;
+                for y in rows[0]..rows[1] {
+                    let centre = low((y << s) + (1 << s >> 1));
+                    let end = if centre < b[1] { at(a, ab, centre) } else { at(b, bc, centre) };
+                    row(y - rows[0], y, at(a, ac, centre), end);
+                }
+            }
+            Kind::Given { x: [mut x, step], ends, mut y, down } => {
+                let mut count = 0;
+                for (mut end, end_step, rows) in ends {
+                    for _ in 0..rows {
+                        row(count, y, x, end);
+                        x = x.wrapping_add(step);
+                        end = end.wrapping_add(end_step);
+                        y += down;
+                        count += 1;
+                    }
+                }
+            }
+        }
+    }
+}
+
+impl Slopes {
+    /// What a host would write: vertices or slopes, and channels whose slopes are nearest to the exact
+    /// ones.
+    pub(super) fn host_words(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {
+        let mut words = vec![0; count];
+        let one = 1i128 << self.sub_pixel;
+        let mut v = triangle.xy;
+        let upward = matches!(self.edges.source, Source::Given { rows: RowOrder::Up, .. });
+        v.sort_by_key(|at| if upward { -at[1] } else { at[1] });
+        let [a, b, c] = v;
+        // Whether the long edge is the left one.
+        let cross = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+        let leftward = (cross < 0) != upward;
+        if cross == 0 {
+            return Vec::new();
+        }
+        let mut put = |gather: &Gather, value: i128| {
+            gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+        };
+        let (direction, says_left) = &self.edges.direction;
+        put(direction, i128::from(leftward == *says_left));
+        let f = self.edges.fraction;
+        let grid = self.target.grid;
+        // Where channels start, in sub-pixels: x as numerator and denominator, and y.
+        let mut origin = ((a[0], 1), a[1]);
+        match &self.edges.source {
+            Source::Divided { vertices, .. } => {
+                for (gathers, at) in vertices.iter().zip(v) {
+                    gathers.iter().zip(at).for_each(|(gather, value)| put(gather, value));
+                }
+            }
+            Source::Given { start, slope, ends, .. } => {
+                let slope_of = |p: [i128; 2], q: [i128; 2]| {
+                    Rounding::NearestEven
+                        .divide((q[0] - p[0]) << f, (p[1] - q[1]).abs().max(1))
+                        .map_or(0, |(slope, _)| slope)
+                };
+                // Rows between two heights, the first of them, and x of an edge there.
+                let rows = |p: [i128; 2], q: [i128; 2]| {
+                    let (low, high) = (p[1].min(q[1]), p[1].max(q[1]));
+                    let (first, last) = grid.pixels(1, (low, high - 1));
+                    (if upward { last - 1 } else { first }, (last - first).max(0))
+                };
+                let x_at = |p: [i128; 2], q: [i128; 2], row: i128| {
+                    let y = grid.position(0, row)[1];
+                    let along = (q[0] - p[0]) * (y - p[1]);
+                    let height = q[1] - p[1];
+                    let x = (((p[0] - grid.offset[0]) * height + along) << f, height * one);
+                    let (x, height) = if x.1 < 0 { (-x.0, -x.1) } else { x };
+                    Rounding::NearestEven.divide(x, height.max(1)).map_or(0, |(x, _)| x)
+                };
+                let (row, _) = rows(a, c);
+                put(&start[1], row);
+                put(&start[0], x_at(a, c, row));
+                put(slope, slope_of(a, c));
+                for (gathers, (p, q)) in ends.iter().zip([(a, b), (b, c)]) {
+                    let (first, count) = rows(p, q);
+                    if count > 0 {
+                        put(&gathers[0], x_at(p, q, first));
+                        put(&gathers[1], slope_of(p, q));
+                        put(&gathers[2], count);
+                    }
+                }
+                let (y, height) = (grid.position(0, row)[1], c[1] - a[1]);
+                let (x, sign) = (a[0] * height + (c[0] - a[0]) * (y - a[1]), height.signum());
+                origin = ((x * sign, height * sign), y);
+            }
+        }
+        for (n, (channel, input)) in self.channels.iter().enumerate() {
+            let values = attributes(channel, n);
+            let Some(([dx, dy], area)) = gradient(triangle, values) else { continue };
+            let at_edge = matches!(self.config.plane, Plane::AtEdge { .. });
+            // Along the row as it runs, and down the long edge where channels start there.
+            let run = if at_edge && leftward { -1 } else { 1 };
+            let along = channel.register(dx * one * run, area, channel.shift_along);
+            let (down, over) = if at_edge {
+                let change = dx * (c[0] - a[0]) + dy * (c[1] - a[1]);
+                (change * one, area * (c[1] - a[1]).abs())
+            } else {
+                (dy * one, area)
+            };
+            let down = channel.register(down, over, channel.shift);
+            let (p, ((x, part), y)) = (triangle.xy[0], origin);
+            let value = values[0] * area * part + dx * (x - p[0] * part) + dy * (y - p[1]) * part;
+            let start = channel.register(value, area * part, channel.shift);
+            put(&input.start, i128::from(start));
+            put(&input.along, i128::from(along));
+            put(&input.down, i128::from(down));
+        }
+        let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
+        let past = u32::from(self.config.clip == super::slope::ClipEnds::Closed);
+        let [(x0, x1), (y0, y1)] = ends;
+        let ends = [x0, x1.saturating_sub(past), y0, y1.saturating_sub(past)];
+        for (gather, end) in self.clip.iter().zip(ends) {
+            put(gather, i128::from(end));
+        }
+        for flag in self.clips.iter().chain(&self.adjust) {
+            put(flag, 1);
+        }
+        vec![words]
+    }
+}
