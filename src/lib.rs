@@ -72,6 +72,6 @@ mod spec {
         Lines "14-lines.md", Polygons "15-polygons.md", Depth "16-depth.md",
         Interpolation "17-interpolation.md",
         Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md",
-        Hardware "21-hardware.md"
+        Hardware "21-hardware.md", Registers "22-registers.md", Describe "23-describe.md"
     );
 }

@@ -7,6 +7,7 @@ pub mod comparison;
 pub mod cost;
 pub mod error;
 pub mod experiment;
+pub mod gallery;
 pub mod interpolation;
 pub mod require;
 pub mod resolution;

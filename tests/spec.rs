@@ -78,7 +78,7 @@ fn is_clause(token: &str) -> bool {
     let mut parts = token.split('-');
     let letter = parts.next().unwrap_or_default();
     let number = parts.next().unwrap_or_default();
-    letter.len() == 1
+    (1..=2).contains(&letter.len())
         && letter.bytes().all(|b| b.is_ascii_uppercase())
         && !number.is_empty()
         && number.bytes().all(|b| b.is_ascii_digit())
@@ -92,10 +92,12 @@ fn in_backticks(text: &str) -> impl Iterator<Item = String> {
         let mut all: Vec<String> = quoted.into_iter().filter(|q| is_clause(q)).collect();
         // `G-1` to `G-6` names those between as well.
         if let (true, [first, last]) = (line.contains("` to `"), &all.clone()[..])
-            && first[..2] == last[..2]
+            && let (Some((letter, first)), Some((other, last))) =
+                (first.split_once('-'), last.split_once('-'))
+            && letter == other
         {
-            let number = |id: &str| id[2..].parse::<u32>().unwrap();
-            all.extend((number(first)..number(last)).map(|n| format!("{}{n}", &first[..2])));
+            let [first, last] = [first, last].map(|number| number.parse::<u32>().unwrap());
+            all.extend((first..last).map(|n| format!("{letter}-{n}")));
         }
         all
     })
@@ -138,9 +140,10 @@ fn clauses_are_numbered_once_and_in_order() {
     let mut last = BTreeMap::new();
     for Clause { id, title, place } in &clauses {
         assert!(is_clause(id) && !title.is_empty(), "{place}: {id} {title}");
-        let number: u32 = id[2..].parse().unwrap();
-        let before = last.insert(id[..1].to_owned(), number).unwrap_or(0);
-        assert_eq!(number, before + 1, "{place}: {id} follows {}-{before}", &id[..1]);
+        let (letter, number) = id.split_once('-').unwrap();
+        let number: u32 = number.parse().unwrap();
+        let before = last.insert(letter.to_owned(), number).unwrap_or(0);
+        assert_eq!(number, before + 1, "{place}: {id} follows {letter}-{before}");
     }
 }
 

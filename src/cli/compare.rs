@@ -2,6 +2,7 @@
 
 mod depth;
 mod experiment;
+mod gallery;
 mod interpolation;
 mod machine;
 mod picture;
@@ -39,6 +40,11 @@ pub(crate) struct Arguments {
     /// What to compare.
     #[arg(long, value_enum, default_value_t = Show::Machines)]
     show: Show,
+    /// The same scene through each of these profiles instead, names or files with commas between; without a
+    /// value, through the real rasterizers among the built-in ones. PROFILE then only says what integer
+    /// coordinates of a scene mean.
+    #[arg(long, value_name = "PROFILES", value_delimiter = ',', num_args = 0..=1, default_missing_value = "all")]
+    profiles: Option<Vec<String>>,
     /// Only these machines, by the names of `form` in a profile, with commas between.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_machine)]
     machines: Vec<&'static str>,
@@ -93,6 +99,9 @@ struct Request<'a> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if let Some(names) = &arguments.profiles {
+        return gallery::show(arguments, names);
+    }
     let mut profile = profile::load(&arguments.profile)?;
     let window = &mut profile.window;
     (window.width, window.height) =

@@ -12,7 +12,7 @@ use guardbit::explore::metric::Metric;
 use guardbit::explore::record::Record;
 use guardbit::explore::sweep::Sweep;
 use guardbit::model::MODEL_VERSION;
-pub(crate) use map::Map;
+pub(crate) use map::{Map, data_uri};
 pub(crate) use shell::{command_line, quoted};
 use std::fmt::Write as _;
 use std::sync::atomic::{AtomicU64, Ordering};

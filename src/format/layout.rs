@@ -1,5 +1,5 @@
 //! Lists of 32-bit words and the bit fields in them: how registers reach a machine, and how what it
-//! draws is written. Spec clauses `RF-1` to `RF-3`.
+//! draws is written. Spec clauses `RG-1` to `RG-3`.
 
 use crate::bits::hex_digits;
 use std::fmt::Write as _;

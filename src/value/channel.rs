@@ -1,4 +1,4 @@
-//! Interpolated values whose starts and slopes come from registers. Spec clauses `RC-1` to `RC-4`.
+//! Interpolated values whose starts and slopes come from registers. Spec clause `RG-20`.
 
 use crate::format::{Clamp, ReadOut, ReadOutError};
 use schemars::JsonSchema;

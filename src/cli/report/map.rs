@@ -172,21 +172,26 @@ impl Map {
             .collect();
         let palette: Vec<u8> =
             colours().chain([BACKGROUND, MISSING_COLOUR, EXTRA_COLOUR]).flatten().collect();
-        let mut file = Vec::new();
-        let mut encoder = png::Encoder::new(&mut file, self.size[0], self.size[1]);
-        encoder.set_color(png::ColorType::Indexed);
-        encoder.set_palette(palette);
-        encoder.set_compression(png::Compression::High);
-        encoder
-            .write_header()
-            .and_then(|mut writer| {
-                writer.write_image_data(&pixels)?;
-                writer.finish()
-            })
-            .map_err(Failure::input)?;
-        let text = base64::engine::general_purpose::STANDARD.encode(file);
-        Ok(format!("data:image/png;base64,{text}"))
+        data_uri(self.size, &pixels, palette)
     }
+}
+
+/// An indexed picture as the data URI of a PNG.
+pub(crate) fn data_uri(size: [u32; 2], pixels: &[u8], palette: Vec<u8>) -> Result<String, Failure> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, size[0], size[1]);
+    encoder.set_color(png::ColorType::Indexed);
+    encoder.set_palette(palette);
+    encoder.set_compression(png::Compression::High);
+    encoder
+        .write_header()
+        .and_then(|mut writer| {
+            writer.write_image_data(pixels)?;
+            writer.finish()
+        })
+        .map_err(Failure::input)?;
+    let text = base64::engine::general_purpose::STANDARD.encode(file);
+    Ok(format!("data:image/png;base64,{text}"))
 }
 
 #[cfg(test)]

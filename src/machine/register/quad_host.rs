@@ -65,7 +65,7 @@ impl Quads {
     fn normalised(&self, triangle: &Triangle, fraction: u32, origin: [u32; 2]) -> [[i64; 3]; 3] {
         let at = self.target.grid.position(i128::from(origin[0]), i128::from(origin[1]));
         let s = self.target.grid.sub_pixel;
-        crate::setup::edges(triangle).map(|edge| {
+        crate::setup::edges(&triangle.normalised()).map(|edge| {
             let largest = edge.a.abs().max(edge.b.abs()).max(1);
             let part = |value: i128, shift: u32| {
                 let nearest = Rounding::NearestEven.divide(

@@ -1,4 +1,4 @@
-//! The bench of a machine that begins at registers: words in, records out. Spec clause `N-12`.
+//! The bench of a machine that begins at registers: words in, records out. Spec clause `N-2`.
 
 use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::case::triangle::{self, Directed, Stimulus};

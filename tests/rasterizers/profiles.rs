@@ -1,0 +1,143 @@
+//! The built-in profiles of real rasterizers: what a file of theirs has, what they draw through a host, and
+//! what is refused.
+
+use guardbit::model::{Drawing, Model, View};
+use guardbit::profile::{BUILTIN, Form, load, parse};
+use guardbit::scene::Triangle;
+use std::collections::BTreeSet;
+
+/// Clause RG-21: each file is at most 60 lines and says what it was held against.
+#[test]
+fn files_are_short_and_name_their_oracle() {
+    let mut real = 0;
+    for (name, text) in BUILTIN {
+        assert!(text.lines().count() <= 60, "{name}");
+        let head: String = text.lines().take_while(|line| line.starts_with('#')).collect();
+        let says = head.contains("Oracle: ") || head.contains("Source: ");
+        real += u32::from(says);
+        assert!(!matches!(load(name).unwrap().form, Form::Registers(_)) || says, "{name}");
+    }
+    assert_eq!(real, 13, "8 register machines, 4 of Vulkan, Larrabee");
+}
+
+/// Clause RG-4: through its host every machine draws every triangle, but for samples near an edge: what lies a
+/// pixel and a half inside is there, what lies so far outside is not.
+#[test]
+fn a_host_draws_what_the_exact_triangle_covers() {
+    let view = View { window: Some((64, 64)), ..View::default() };
+    for (name, _) in BUILTIN {
+        let profile = load(name).unwrap();
+        if !matches!(profile.form, Form::Registers(_)) {
+            continue;
+        }
+        let model = Model::with_view(&profile, view).unwrap();
+        let mut words = guardbit::case::Words::new(3, 0, 0);
+        let mut samples = 0;
+        for case in 0..60 {
+            // In 1/16 pixel.
+            let xy: [[i128; 2]; 3] =
+                std::array::from_fn(|_| std::array::from_fn(|_| words.between(0, 63 * 16)));
+            let real = |value: i128| f64::from(i32::try_from(value).unwrap()) / 16.0;
+            let triangle = Triangle::Real { xy: xy.map(|at| at.map(real)), z: None };
+            let triangle = model.snap(&triangle).unwrap();
+            let mut drawing = Drawing::default();
+            model.draw(&triangle, &mut drawing).unwrap();
+            let drawn: BTreeSet<(u32, u32)> = drawing
+                .spans
+                .iter()
+                .flat_map(|span| (span.x0..span.x1).map(|x| (x, span.y)))
+                .collect();
+            samples += drawn.len();
+            for (y, x) in (0..64).flat_map(|y| (0..64).map(move |x| (y, x))).step_by(3) {
+                let centre = [x, y].map(|at| i128::from(at) * 16 + 8);
+                let is_drawn = drawn.contains(&(x, y));
+                assert!(
+                    is_drawn || !within(&xy, centre, 24),
+                    "{name}, case {case}: {x} {y} is missing of {xy:?}"
+                );
+                assert!(
+                    !is_drawn || within(&xy, centre, -24),
+                    "{name}, case {case}: {x} {y} of {xy:?}"
+                );
+            }
+        }
+        assert!(samples > 10_000, "{name}: {samples}");
+    }
+}
+
+/// Whether a point lies on the inner side of all edges moved inward by so much, or more where they are
+/// aslant; either winding.
+fn within(xy: &[[i128; 2]; 3], at: [i128; 2], inward: i128) -> bool {
+    let area = (xy[1][0] - xy[0][0]) * (xy[2][1] - xy[0][1])
+        - (xy[2][0] - xy[0][0]) * (xy[1][1] - xy[0][1]);
+    (0..3).all(|k| {
+        let (p, q) = (xy[k], xy[(k + 1) % 3]);
+        let side = (q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]);
+        side * area.signum() >= inward * ((q[0] - p[0]).abs() + (q[1] - p[1]).abs())
+    })
+}
+
+/// Clause RG-1: a combination without a meaning is refused, with the field and the reason.
+#[test]
+fn what_has_no_meaning_is_refused() {
+    let cases = [
+        (
+            "vortex",
+            "rule = \"both\"",
+            "rule = \"truncated-side\"",
+            "looks at vertices, and edges are given",
+        ),
+        ("vortex", "descent = { tile = 32, block = 4 }", "", "count from a tile's origin"),
+        ("vortex", "block = 4", "block = 64", "2 <= block <= tile <= 1024"),
+        ("psp", "width = 32", "width = 40", "an edge word has 2 to 32 bits"),
+        ("psp", "\"x0:16\"", "\"x9:16\"", "needs a register \"x0\""),
+        ("psp", "\"e2\"", "\"e3\"", "there is no \"e3\"; this record has x, y, e0, e1, e2"),
+        ("ps1", "sub-pixel = 0", "sub-pixel = 2", "planes are anchored at whole pixels"),
+        ("ps1", "\"left:11\"", "\"left:11 upper:3@11\"", "has no register \"upper\""),
+        ("ps1", "clamp = \"wrap\"", "clamp = \"saturate\"", "no state to stick"),
+        ("voodoo", "\"adjust\"", "\"-\"", ""),
+        (
+            "voodoo",
+            "plane = { at-vertex = {} }",
+            "plane = { at-edge = { fraction = 5 } }",
+            "at-vertex",
+        ),
+        (
+            "voodoo",
+            "w-float = \"w\"",
+            "w-float = \"q\"",
+            "depth takes channel \"q\", and there is none",
+        ),
+        ("voodoo", "\"r:24\"", "\"r:24@16\"", "a word has bits 0 to 31"),
+        ("virge", "rightward:1@31", "leftward:1@31", ""),
+        ("virge", "rightward:1@31", "-:1@31", "exactly one of `leftward` and `rightward`"),
+        (
+            "virge",
+            "pixel-bias = 0xfffff",
+            "pixel-bias = 0x100000",
+            "pixel-bias = 1048576 < 2^fraction",
+        ),
+        ("n64", "depth = \"z\"", "depth = \"s\"", "18 integer bits"),
+        ("n64", "correction = 3", "correction = 14", "correction = 14 <= interpolation = 13"),
+        ("n64", "radix = 16", "radix = 8", "radix 10 or 16"),
+        ("n64", "letter = \"S\"", "letter = \"SS\"", "expected a character"),
+        ("vulkan-4bit", "lattice = 8", "lattice = 4", "sub-pixel = 4 < lattice"),
+    ];
+    for (name, from, to, reason) in cases {
+        let text = BUILTIN.iter().find(|(known, _)| *known == name).unwrap().1;
+        assert!(text.contains(from), "{name}: {from}");
+        let changed = parse(&text.replacen(from, to, 1), "changed.toml");
+        match changed {
+            Ok(_) => assert!(reason.is_empty(), "{name}: {to} was taken"),
+            Err(error) => {
+                let text = error.to_string();
+                assert!(!reason.is_empty() && text.contains(reason), "{name}, {to}: {text}");
+                assert!(text.starts_with("changed.toml:"), "{text}");
+            }
+        }
+    }
+    let depth = "\n[depth]\nguard = 0\ninteger = 8\ninterpolation = 4\nrounding = \"floor\"\ndivision = \"quotient\"\nclamp = \"wrap\"\nstart-bias = \"none\"\n";
+    let text = BUILTIN.iter().find(|(name, _)| *name == "psp").unwrap().1.to_owned() + depth;
+    let error = parse(&text, "changed.toml").unwrap_err().to_string();
+    assert!(error.contains("[depth] beside [form.registers]"), "{error}");
+}

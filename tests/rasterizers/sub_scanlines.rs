@@ -1,0 +1,180 @@
+//! Four sub-scanlines a row.
+
+use super::{model, records, word, wrap};
+use guardbit::model::Model;
+
+fn toy(product: &str, distance: bool, sign: &str) -> Model {
+    let text = format!(
+        "radix = 16
+input = [\"yl:14\", \"ym:14\", \"yh:14\", \"xl:28\", \"xl_step:30\", \"xh:28\", \"{sign}\", \"xm:28\",
+    \"xm_step:30\", \"rightward\", \"scissor_xh:12\", \"scissor_yh:12\", \"scissor_xl:12\", \"scissor_yl:12\",
+    \"r\", \"r_dx\", \"r_de\", \"r_dy\", \"z\", \"z_dx\", \"z_de\", \"z_dy\"]
+records = [
+    {{ letter = \"S\", words = [\"y\"] }}, {{ letter = \"P\", words = [\"x\"] }},
+]
+channels = [
+    {{ names = [\"r\"], guard = 1, integer = 8, interpolation = 16, clamp = \"guard\", width = 32, drop = 5, \
+         correction = 2 }},
+    {{ names = [\"z\"], guard = 1, integer = 18, interpolation = 13, clamp = \"guard\", correction = 3 }},
+]
+[form.registers.engine.sub-scanlines]
+product = \"{product}\"
+signed-distance = {distance}
+depth = \"z\"
+"
+    );
+    model(11, 2, [2, 2], &text)
+}
+
+/// Words of upright sides: x of the long and the short one in 2^-16 pixels, the sub-scanlines, channels.
+fn upright(
+    long: i128,
+    short: i128,
+    [from, to]: [i128; 2],
+    rightward: bool,
+    r: [i128; 4],
+) -> Vec<u32> {
+    let mut words: Vec<u32> = [to, to, from, short, 0, long, 0, short, 0].map(word).to_vec();
+    words.extend([u32::from(rightward), 0, 0, 40, 40]);
+    words.extend(r.map(word));
+    words.extend([5 << 13, 0, 0, 0].map(word));
+    words
+}
+
+/// Clauses RG-15 to RG-17: all pairs of sides in eighths of a pixel over three pixels, moved by less than an
+/// eighth, by every first and last sub-scanline of a row. A sample is covered where it lies between them.
+#[test]
+fn coverage_is_that_of_eight_points() {
+    let model = toy("wrap", false, "xh_step:30");
+    let mut drawn = 0;
+    for n in 0..24 * 24 * 10 * 2 * 2 {
+        let [left, right] = [n % 24, n / 24 % 24].map(|side| i128::try_from(side).unwrap());
+        let rows: Vec<[i128; 2]> =
+            (0..4).flat_map(|from| (from + 1..=4).map(move |to| [from, to])).collect();
+        let [from, to] = rows[n / 576 % 10];
+        let (rightward, below) = (n / 5760 % 2 == 0, n / 11520 == 1);
+        // A little more than eighths: the sticky bit says so.
+        let more = if below { 0x40 } else { 0 };
+        let (a, b) = ((left << 13) + more, (right << 13) + more);
+        let (long, short) = if rightward { (a, b) } else { (b, a) };
+        let words = upright(long, short, [from, to], rightward, [0; 4]);
+        let got: Vec<(i64, i64)> = records(&model, &words)
+            .into_iter()
+            .filter(|(kind, _)| *kind == 1)
+            .map(|(_, values)| (values[0], values[2]))
+            .collect();
+        // Sides in sixteenths of a pixel; samples at quarters.
+        let sixteenths = |eighths: i128| 2 * eighths + i128::from(below);
+        // Sticky: an x above an even eighth counts as the odd one, and an odd one has its bit set.
+        let seen = |eighths: i128| if below { eighths | 1 } else { eighths };
+        let mut expected = Vec::new();
+        let (first, last) = (seen(left) >> 3, seen(right) >> 3);
+        if left >> 1 <= right >> 1 {
+            for x in first..=last {
+                let mut count = 0;
+                for sub in from..to {
+                    for column in (0..4).filter(|column| (column + sub) % 2 == 0) {
+                        let at = 16 * x + 4 * column;
+                        count += i64::from(sixteenths(left) <= at && at < sixteenths(right));
+                    }
+                }
+                expected.push((i64::try_from(x).unwrap(), count));
+            }
+        }
+        if !rightward {
+            expected.reverse();
+        }
+        // Where sides cross nothing is drawn; within a quarter of a pixel the order is not told.
+        assert_eq!(got, expected, "{left} {right} {from} {to} {rightward} {below}");
+        drawn += got.len();
+    }
+    assert!(drawn > 10_000, "{drawn}");
+}
+
+/// Clause RG-18: a product keeps its low bits, or its sign and the low 31; the distance to the scissor has a
+/// sign or not; the sign of the slope is its own or a register.
+#[test]
+fn values_by_both_datapaths() {
+    let own = toy("wrap", false, "xh_step:30 long_sign:1@31");
+    let resized = toy("resize", true, "xh_step:30");
+    let mut differ = 0;
+    for n in 0..4096i128 {
+        // A long side far left of the scissor, or right of it where rows run left.
+        let rightward = n % 2 == 0;
+        let pixel = n / 2 % 64 * 33 - 1000;
+        let slope = (n / 128 - 16) * 0x0761_4321;
+        let (long, short) = if rightward { (pixel, 4) } else { (pixel, 2) };
+        let words = upright(
+            wrap(long << 16 | 0x5500, 28),
+            short << 16,
+            [0, 4],
+            rightward,
+            [77 << 16, slope, 0, 0],
+        );
+        for (model, resize) in [(&own, false), (&resized, true)] {
+            let along = slope.div_euclid(32) * 32;
+            // The slope of the side is 0: its sign is clear, and an offset is taken where rows run left.
+            let cut = |product: i128| {
+                if !resize {
+                    return product;
+                }
+                let kept = product.rem_euclid(1 << 31);
+                if product < 0 { kept - (1 << 31) } else { kept }
+            };
+            let back = cut((along >> 8 & !1) * 0x55);
+            let start = wrap(((77 << 16) - back) & !0x3ff, 32);
+            let drawn = records(model, &words);
+            let Some((_, line)) = drawn.iter().find(|(kind, _)| *kind == 0) else { continue };
+            assert_eq!(i128::from(line[4]), start, "{n} {resize}");
+            let first = i128::from(line[2]);
+            let distance = if rightward { first - pixel } else { pixel - first };
+            let seen = if resize { wrap(distance, 12) } else { distance.rem_euclid(4096) };
+            let run = if rightward { along } else { -along };
+            let value = wrap(start + cut(run * seen), 32);
+            let (_, whole) = &drawn[1];
+            if whole[2] == 8 {
+                let read = value.rem_euclid(1 << 25) >> 16;
+                let read = if read < 256 {
+                    read
+                } else if read < 384 {
+                    255
+                } else {
+                    0
+                };
+                assert_eq!(i128::from(whole[5]), read, "{n} {resize}");
+                differ += i32::from(resize);
+            }
+        }
+    }
+    assert!(differ > 500, "{differ}");
+}
+
+/// Clause RG-18: at every first covered sample, a value moves there by the slopes of column and sub-scanline.
+#[test]
+fn values_at_the_first_covered_sample() {
+    let model = toy("wrap", false, "xh_step:30");
+    let (mut partly, mut seen) = (0, std::collections::BTreeSet::new());
+    for left in 0..8i128 {
+        for from in 0..4 {
+            let [r, dx, dy] = [100 << 16, 9 << 16, -(13 << 16)];
+            let words = upright(left << 13, 4 << 16, [from, 4], true, [r, dx, 0, dy]);
+            let drawn = records(&model, &words);
+            let (_, pixel) = &drawn[1];
+            // The first covered sample of pixel 0, row by row.
+            let first = (from..4)
+                .flat_map(|sub| (0..4).map(move |column| (column, sub)))
+                .find(|(column, sub)| (column + sub) % 2 == 0 && 2 * column >= left);
+            let Some((column, sub)) = first.filter(|_| pixel[2] < 8) else { continue };
+            // The row starts where the side is: sign clear, row to the right, so without an offset.
+            let back = (dx >> 8 & !1) * (left << 5);
+            let start = (r - back) & !0x3ff;
+            let quarter = |value: i128| value.div_euclid(1 << 14);
+            let held =
+                (quarter(start) * 4 + column * quarter(dx) + sub * quarter(dy)).div_euclid(16);
+            assert_eq!(i128::from(pixel[5]), held, "{left} {from}");
+            partly += 1;
+            seen.insert((column, sub));
+        }
+    }
+    assert!(partly > 25 && seen.len() >= 6, "{partly} {seen:?}");
+}
