@@ -98,6 +98,19 @@ pub(crate) fn run() -> ExitCode {
     }
 }
 
+/// Refuses a profile that begins at registers where budgets are varied.
+fn takes_primitives(profile: &guardbit::profile::Profile) -> Result<(), failure::Failure> {
+    if !matches!(profile.form, guardbit::profile::Form::Registers(_)) {
+        return Ok(());
+    }
+    let name = &profile.name;
+    let message =
+        format!("{name} begins at registers: its bits are a machine's, no budget to vary");
+    let hint = "`guardbit compare --profiles` sets machines beside each other; spec/23-describe.md says \
+                how to change one";
+    Err(failure::Failure::input(message).hint(hint))
+}
+
 /// `WIDTHxHEIGHT`.
 fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let parts = text.split_once(['x', 'X']).and_then(|(width, height)| {

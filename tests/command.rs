@@ -313,12 +313,16 @@ fn reports_keep_their_keys() {
     assert_eq!(column("forms", "pixels"), pixels.repeat(6));
     let (worst, bound) = (column("trade", "worst_ulp"), column("trade", "bound_ulp"));
     assert!(worst.len() > 8 && worst.iter().zip(&bound).all(|(worst, bound)| worst <= bound));
-    for (section, key) in
-        [("lanes", "ratio"), ("forms", "ns_per_triangle"), ("trade", "ratio"), ("fill", "ratio")]
-    {
+    for (section, key) in [
+        ("lanes", "ratio"),
+        ("forms", "ns_per_triangle"),
+        ("trade", "ratio"),
+        ("fill", "ratio"),
+        ("registers", "thousands_per_second"),
+    ] {
         assert!(column(section, key).iter().all(|figure| *figure > 0.0), "{section} {key}");
     }
-    assert_eq!(report["findings"].as_array().unwrap().len(), 5);
+    assert_eq!(report["findings"].as_array().unwrap().len(), 6);
 }
 
 #[test]

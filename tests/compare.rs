@@ -245,3 +245,70 @@ fn machines_orders_and_formats_are_axes_of_explore() {
     assert_eq!(ran.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&ran.stderr).contains("explore measures every machine"));
 }
+
+/// Clause RG-22: a square cut along the diagonal that its pixels' samples lie on: four pixels are hit twice by
+/// the machine without a fill rule, and by that one alone; four rows of four by all others. Moved by a quarter of
+/// a pixel it is still covered by all but the machine of whole pixels, whose vertices stay where they were.
+#[test]
+fn a_square_through_every_rasterizer() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("square.jsonl");
+    let square = |by: f64| {
+        let at = |x: f64, y: f64| format!("[{},{}]", x + by, y);
+        let [a, b, c, d] = [at(2.0, 2.0), at(6.0, 2.0), at(6.0, 6.0), at(2.0, 6.0)];
+        format!("{{\"f\": [{a},{b},{c}]}}\n{{\"f\": [{a},{c},{d}]}}\n")
+    };
+    let compare = |text: String| {
+        std::fs::write(&scene, text).unwrap();
+        let scene = scene.to_str().unwrap();
+        let svg = folder.path().join("all.svg");
+        let report = json(&[
+            "compare",
+            "--profiles",
+            "--scene",
+            scene,
+            "--window",
+            "8x8",
+            "--json",
+            "--svg",
+            svg.to_str().unwrap(),
+        ]);
+        let drawn = std::fs::read_to_string(svg).unwrap();
+        assert_eq!(drawn.matches("<image").count(), 24, "a picture and a map each");
+        report["profiles"].as_array().unwrap().clone()
+    };
+    let rows = compare(square(0.0));
+    assert_eq!(rows.len(), 12);
+    for row in &rows {
+        let name = row["profile"].as_str().unwrap();
+        let [hits, holes, few, many] =
+            ["hits", "holes", "too_few", "too_many"].map(|key| row[key].as_u64().unwrap());
+        assert_eq!((holes, few, row["refused"].as_u64()), (0, 0, Some(0)), "{name}");
+        match name {
+            "vortex" => assert_eq!((hits, many), (20, 4)),
+            // Coverage is shared along the diagonal: both triangles draw there.
+            "n64" | "n64-rtl" => assert!(many >= 4, "{many}"),
+            _ => assert_eq!((hits, many), (16, 0), "{name}"),
+        }
+        let exact = ["ps1", "ps1-rtl", "voodoo", "virge"].contains(&name);
+        if let (true, Some(worst)) = (exact, row["colour_worst"].as_f64()) {
+            assert!(worst < 4.0, "{name}: {worst}");
+        }
+    }
+    let moved = compare(square(0.75));
+    for row in &moved {
+        let name = row["profile"].as_str().unwrap();
+        let wrong = row["too_few"].as_u64().unwrap() + row["too_many"].as_u64().unwrap();
+        match name {
+            // Half a pixel and more to the next whole one: a column starts late, or ends.
+            "ps1" | "ps1-rtl" => assert_eq!(row["colours_off"].as_u64().map(|n| n > 0), Some(true)),
+            "vortex" | "n64" | "n64-rtl" => {}
+            _ => assert_eq!(wrong, 0, "{name}"),
+        }
+    }
+    let other = guardbit(&["compare", "--profiles", "ps2", "--scene", "fan"]);
+    assert_eq!(other.status.code(), Some(2));
+    let refused = guardbit(&["explore", "n64", "--vary", "sub-pixel=2", "--scene", "fan"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("n64 begins at registers"));
+}

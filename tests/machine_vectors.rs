@@ -4,7 +4,8 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::cover::{DepthAt, LineConfig, LineRule, MultisampleConfig, PointConfig};
-use guardbit::profile::{MACHINES, Profile, WindowConfig, load};
+use guardbit::profile::{MACHINES, Profile, WindowConfig, load, parse};
+use std::fmt::Write as _;
 use std::path::Path;
 use std::process::{Command, Output};
 
@@ -181,5 +182,115 @@ fn several_samples_have_golden_sets() {
         let text = String::from_utf8_lossy(&ran.stdout).into_owned();
         assert_eq!(ran.status.code(), Some(1), "{text}");
         assert!(text.contains("1 mismatches"), "{text}");
+    }
+}
+
+/// What a device of another profile answers to the words of a set.
+struct Device<'a> {
+    model: &'a guardbit::model::Model,
+    kind: usize,
+    test: &'a str,
+    text: String,
+}
+
+impl guardbit::machine::Sink for Device<'_> {
+    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
+
+    fn record(&mut self, kind: usize, values: &[i64]) {
+        if kind != self.kind {
+            return;
+        }
+        self.text += self.test;
+        for word in self.model.registers().unwrap().records[kind].words(values) {
+            write!(self.text, "_{word:08x}").unwrap();
+        }
+        self.text.push('\n');
+    }
+}
+
+/// Machines that begin at registers: a set that verifies, a trace by register names, and a defect in each
+/// engine and in channels told by name.
+#[test]
+fn register_machines_have_golden_sets() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let defects = [
+        (
+            "ps1",
+            "halves = \"from-anchor\"",
+            "halves = \"upper-first\"",
+            "anchored.halves is upper-first",
+        ),
+        ("ps1", "rounding = \"toward-zero\"", "rounding = \"floor\"", "anchored.rounding is floor"),
+        (
+            "ps1-rtl",
+            "anchor = \"leftmost-sorted\"",
+            "anchor = \"leftmost-given\"",
+            "leftmost-given",
+        ),
+        ("vortex", "width = 32", "width = 31", "quads.width is 31 instead of 32"),
+        ("psp", "rule = \"truncated-side\"", "rule = \"both\"", "quads.rule is both"),
+        ("psp", "[sample]\nx = 7", "[sample]\nx = 8", "sample is (8, 7) instead of (7, 7)"),
+        ("voodoo", "pixel-bias = 0x7000", "pixel-bias = 0x6fff", "pixel-bias is 28671"),
+        ("voodoo", "row-bias = 7", "row-bias = 8", "row-bias is 8 instead of 7"),
+        ("voodoo", "start = \"zero\"", "start = \"sign\"", "channels (r, g, b, a): start is sign"),
+        ("virge", "shift-along = 0", "shift-along = 1", "channels (z): shift-along is 1"),
+        ("virge", "clip = \"closed\"", "clip = \"half-open\"", "slopes.clip is half-open"),
+        (
+            "n64",
+            "drop = 5, correction = 2",
+            "drop = 0, correction = 2",
+            "channels (r, g, b, a): drop is 0",
+        ),
+        (
+            "n64",
+            "clamp = \"guard\", width",
+            "clamp = \"wrap\", width",
+            "(r, g, b, a): clamp is wrap",
+        ),
+        ("n64", "correction = 3", "correction = 2", "channels (z): correction is 2"),
+        (
+            "n64-rtl",
+            "signed-distance = true",
+            "signed-distance = false",
+            "signed-distance is false",
+        ),
+    ];
+    let mut written = "";
+    for (name, from, to, cause) in defects {
+        let profile = load(name).unwrap();
+        let text = good(folder, &["profile", "show", name]);
+        assert!(text.contains(from), "{name}: {from}");
+        if written != name {
+            written = name;
+            std::fs::write(folder.join("profile.toml"), profile.to_toml()).unwrap();
+            let set = ["vectors", "profile.toml", "--out", "set", "--count", "1500", "--force"];
+            good(folder, &set);
+            good(folder, &["verify", "set", "--recompute"]);
+        }
+        let wrong = parse(&text.replacen(from, to, 1), "wrong").unwrap();
+        let model = guardbit::model::Model::new(&wrong).unwrap();
+        // The last kind of record is that of pixels or quads.
+        let kind = model.registers().unwrap().records.len() - 1;
+        let mut device = Device { model: &model, kind, test: "", text: String::new() };
+        let cfg = std::fs::read_to_string(folder.join("set/words.cfg.tv")).unwrap();
+        for row in cfg.lines() {
+            let (test, words) = row.split_once('_').unwrap();
+            let words: Vec<u32> =
+                words.split('_').map(|word| u32::from_str_radix(word, 16).unwrap()).collect();
+            device.test = test;
+            model.draw_words(&words, &mut device).unwrap();
+        }
+        std::fs::write(folder.join("dump.tv"), device.text).unwrap();
+        let pixels = if name == "vortex" { "words-q.exp.tv" } else { "words-p.exp.tv" };
+        let ran = guardbit(
+            folder,
+            &["verify", "set", "--dut", "dump.tv", "--file", pixels, "--errors", "1"],
+        );
+        let text = String::from_utf8_lossy(&ran.stdout).into_owned();
+        assert_eq!(ran.status.code(), Some(1), "{name}, {to}: {text}");
+        assert!(text.contains(cause), "{name}, {to}: {text}");
+        let traced = good(folder, &["trace", "profile.toml", "--test", "words/slivers/0"]);
+        assert!(traced.contains("words.cfg (1 rows)"), "{traced}");
     }
 }

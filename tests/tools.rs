@@ -142,6 +142,10 @@ fn browse(chromium: &str, home: &Path, address: &str) -> std::process::Output {
 fn profiles_are_synthesised(yosys: &str) {
     for (name, _) in profile::BUILTIN {
         let profile = profile::load(name).unwrap();
+        // Machines that begin at registers are described, not chosen: they have no estimate.
+        if matches!(profile.form, profile::Form::Registers(_)) {
+            continue;
+        }
         let found = synthesise(&profile, Path::new(yosys), Duration::from_mins(2)).unwrap();
         // Registers are what the estimate counts as well; tables have no count of ours to meet.
         assert_eq!(found.flip_flops, estimate(&profile).unwrap().register_bits, "{name}");

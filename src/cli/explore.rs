@@ -96,6 +96,7 @@ impl SpaceArguments {
     /// The profile, in the window that is searched.
     pub(crate) fn base(&self) -> Result<Profile, Failure> {
         let mut base = profile::load(&self.profile)?;
+        crate::cli::takes_primitives(&base)?;
         let window = &mut base.window;
         (window.width, window.height) =
             self.window.unwrap_or((window.width.min(1024), window.height.min(1024)));

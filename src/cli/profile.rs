@@ -36,7 +36,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Action::List => {
             for (name, text) in BUILTIN {
                 let profile = profile::parse(text, name)?;
-                output.line(format!("{name:<12} {}", profile.about))?;
+                output.line(format!("{name:<14} {}", profile.about))?;
             }
         }
         Action::Show { profile, machine } => {

@@ -246,7 +246,7 @@ pub fn panel(
         hits: drawn.iter().map(|d| u64::from(*d)).sum(),
         holes: sum(|w, d| u32::from(w > 0 && d == 0)),
         too_many: sum(|w, d| d.saturating_sub(w)),
-        too_few: sum(|w, d| w.saturating_sub(d)),
+        too_few: sum(u32::saturating_sub),
         outside,
         colours_off: has_colour.then_some(colours_off),
         colour_worst: has_colour.then_some(worst),

@@ -4,7 +4,7 @@ use super::{model, records, word, wrap};
 use guardbit::bits::Rounding;
 use guardbit::exact::{Rule, covers};
 
-/// Clauses RG-8 to RG-10: all triangles on a lattice of 5 x 5, one channel of 6 bits that wraps, both
+/// Clauses RG-8, RG-9 and RG-10: all triangles on a lattice of 5 x 5, one channel of 6 bits that wraps, both
 /// anchors and both orders.
 #[test]
 fn every_small_triangle() {

@@ -4,7 +4,7 @@ use super::{model, records, wrap};
 use guardbit::format::{Layout, LayoutError};
 use guardbit::value::{leading_ones, slope_code, w_float};
 
-/// Clauses RG-1 to RG-3: a value of five bits in three pieces, all of it, there and back; bits that no field
+/// Clauses RG-1, RG-2 and RG-3: a value of five bits in three pieces, all of it, there and back; bits that no field
 /// holds; and texts that are no fields.
 #[test]
 fn pieces_go_there_and_back() {

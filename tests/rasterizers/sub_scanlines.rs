@@ -41,7 +41,7 @@ fn upright(
     words
 }
 
-/// Clauses RG-15 to RG-17: all pairs of sides in eighths of a pixel over three pixels, moved by less than an
+/// Clauses RG-15, RG-16 and RG-17: all pairs of sides in eighths of a pixel over three pixels, moved by less than an
 /// eighth, by every first and last sub-scanline of a row. A sample is covered where it lies between them.
 #[test]
 fn coverage_is_that_of_eight_points() {

@@ -99,9 +99,10 @@ fn print(
         scene.triangles.len()
     ))?;
     output.line("")?;
-    output.line(format!(
-        "profile         machine           refused     hits    holes  too few too many  outside  colours off    worst"
-    ))?;
+    output.line(
+        "profile         machine           refused     hits    holes  too few too many  outside  \
+         colours off    worst",
+    )?;
     for panel in panels {
         let count = panel.colours_off.map_or("-".to_owned(), |off| off.to_string());
         let worst = panel.colour_worst.map_or("-".to_owned(), |worst| format!("{worst:.1}"));

@@ -39,6 +39,7 @@ pub(super) fn run(arguments: &SpaceArguments, json: bool) -> Result<Outcome, Fai
         return Err(Failure::input(message));
     }
     let mut profile = profile::load(&arguments.profile)?;
+    crate::cli::takes_primitives(&profile)?;
     if let Some((width, height)) = arguments.window {
         profile.window = WindowConfig { width, height };
         profile.validate().map_err(Failure::input)?;

@@ -7,13 +7,17 @@ use crate::value::Channel;
 /// A channel over a triangle: codes at its vertices.
 ///
 /// The first three channels rise to their maximum at one vertex each, so that any two machines show the
-/// same picture; the others hold half of it.
+/// same picture; the others have quarters of theirs, another at each vertex. Wide channels stay far below
+/// their maximum, as what they hold does.
 pub(super) fn attributes(channel: &Channel, index: usize) -> [i128; 3] {
-    let top = i128::from(channel.read.maximum().min(0xffff));
+    let top = match channel.read.integer() {
+        0..=24 => i128::from(channel.read.maximum()),
+        wide => 1 << (wide / 2 + 8),
+    };
     std::array::from_fn(|vertex| match index {
         0..=2 if index == vertex => top,
         0..=2 => 0,
-        _ => top / 2,
+        _ => top * [1, 3, 2][(index + vertex) % 3] / 4,
     })
 }
 
