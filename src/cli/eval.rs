@@ -12,6 +12,8 @@ use std::io::{BufRead, Write};
 
 /// Longest line read, so that input without newlines cannot fill the memory.
 const LONGEST: u64 = 1 << 24;
+/// The most records of an answer, so that a few words cannot fill the memory: 2048 x 2048 pixels.
+const RECORDS: u64 = 1 << 22;
 
 /// Live model on a pipe: JSON Lines in, JSON Lines out, flushed line by line.
 ///
@@ -139,10 +141,13 @@ fn reply_words(
         fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
 
         fn record(&mut self, kind: usize, values: &[i64]) {
-            self.answer.push_str(if self.rows == 0 { "[\"" } else { ", [\"" });
+            self.rows += 1;
+            if self.rows > RECORDS {
+                return;
+            }
+            self.answer.push_str(if self.rows == 1 { "[\"" } else { ", [\"" });
             self.registers.push_record(kind, values, "\", \"", self.answer);
             self.answer.push_str("\"]");
-            self.rows += 1;
         }
     }
     let Some(registers) = model.registers() else {
@@ -152,6 +157,11 @@ fn reply_words(
     let _ = write!(answer, "{{\"id\": {}, \"out\": [", id.unwrap_or("null"));
     let mut records = Records { registers, answer, rows: 0 };
     model.draw_words(&words, &mut records).map_err(|error| error.to_string())?;
+    if records.rows > RECORDS {
+        let rows = records.rows;
+        answer.clear();
+        return Err(format!("{rows} records are drawn, and an answer has at most {RECORDS}"));
+    }
     answer.push(']');
     let masked = registers.input.dropped(&words);
     if !masked.is_empty() {

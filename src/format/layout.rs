@@ -59,7 +59,10 @@ pub enum LayoutError {
         text: String,
     },
     /// A field beyond its word.
-    #[error("word {word}: {name} takes bits {at} to {}; a word has bits 0 to 31", u64::from(*at) + u64::from(*width) - 1)]
+    #[error(
+        "word {word}: {name} takes {width} bits from bit {at} up; a field has one at least, and a word has \
+         bits 0 to 31"
+    )]
     Beyond {
         /// Which word, from 0.
         word: usize,

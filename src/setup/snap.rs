@@ -116,7 +116,7 @@ impl VertexConfig {
             return Err(VertexError::NoSign);
         }
         if let Some(lattice) = self.lattice
-            && !(sub_pixel + 1..=24).contains(&lattice)
+            && (lattice <= sub_pixel || lattice > 24)
         {
             return Err(VertexError::Lattice { lattice, sub_pixel });
         }
