@@ -5,7 +5,7 @@
 use crate::run::run_in;
 use crate::set::run;
 use serde::Deserialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
@@ -31,8 +31,10 @@ struct Mutant {
 /// What became of a mutant.
 struct Fate {
     mutant: Mutant,
-    /// The class of tests that caught it first, or nothing.
-    caught: Option<String>,
+    /// Whether a bench failed.
+    caught: bool,
+    /// The classes of tests that caught it.
+    classes: BTreeSet<String>,
     /// Single causes that a dump was explained by.
     named: Vec<String>,
     /// Lists of several causes.
@@ -68,8 +70,13 @@ fn mutate(devices: &str, mutant: &Mutant) -> String {
 
 /// Runs a set's bench on a mutant of its devices, in a folder of its own.
 fn fate(sets: &[PathBuf], mutant: &Mutant) -> Fate {
-    let mut fate =
-        Fate { mutant: mutant.clone(), caught: None, named: Vec::new(), listed: Vec::new() };
+    let mut fate = Fate {
+        mutant: mutant.clone(),
+        caught: false,
+        classes: BTreeSet::new(),
+        named: Vec::new(),
+        listed: Vec::new(),
+    };
     for set in sets {
         let home = tempfile::tempdir().unwrap();
         for entry in std::fs::read_dir(set).unwrap().flatten() {
@@ -90,8 +97,7 @@ fn fate(sets: &[PathBuf], mutant: &Mutant) -> Fate {
         }
         assert!(text.contains("FAIL"), "{}: {text}", mutant.id);
         diagnose(set, home.path(), &mut fate);
-        // A hang, or an answer that moves, is a finding of the bench alone.
-        fate.caught.get_or_insert_with(|| "the bench".to_owned());
+        fate.caught = true;
         break;
     }
     fate
@@ -104,16 +110,17 @@ fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
         if dump.metadata().map_or(0, |file| file.len()) == 0 {
             continue;
         }
-        let arguments = format!("verify {} --dut {} --errors 1", set.display(), dump.display());
+        let arguments =
+            format!("verify {} --dut {} --errors 1000000", set.display(), dump.display());
         let ran = run_in(home, &arguments);
         if ran.status == Some(0) {
             continue;
         }
         assert_eq!(ran.status, Some(1), "{}: {} {}", fate.mutant.id, ran.out, ran.err);
-        let first = ran.out.lines().next().unwrap_or_default();
-        let class = first.split(' ').next_back().unwrap_or_default();
-        let class = class.rsplit_once('/').map_or(class, |(class, _)| class);
-        fate.caught.get_or_insert_with(|| class.to_owned());
+        // The head of a mismatch ends with the test: bench, class and index.
+        let heads = ran.out.lines().filter(|line| line.contains(".dut.tv"));
+        let tests = heads.filter_map(|line| line.split(' ').next_back()?.rsplit_once('/'));
+        fate.classes.extend(tests.map(|(class, _)| class.to_owned()));
         if let Some((_, cause)) = ran.out.split_once("likely cause: ") {
             fate.named.push(cause.trim().to_owned());
         } else if let Some((_, causes)) = ran.out.split_once("each explains the whole dump:") {
@@ -157,17 +164,26 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
     let mut table = String::new();
     let mut faults = Vec::new();
     let (mut live, mut right) = (0, 0);
+    let mut catches = BTreeMap::<&str, u32>::new();
     for (id, fate) in fates {
-        let verdict = match (&fate.caught, &fate.mutant.equivalent) {
-            (None, Some(_)) => "equivalent",
-            (None, None) => "SURVIVES",
-            (Some(_), Some(_)) => "NOT EQUIVALENT",
-            (Some(_), None) if fate.wrong() => "WRONG CAUSE",
-            (Some(_), None) if fate.right() => "named",
-            (Some(_), None) => "caught",
+        let verdict = match (fate.caught, &fate.mutant.equivalent) {
+            (false, Some(_)) => "equivalent",
+            (false, None) => "SURVIVES",
+            (true, Some(_)) => "NOT EQUIVALENT",
+            (true, None) if fate.wrong() => "WRONG CAUSE",
+            (true, None) if fate.right() => "named",
+            (true, None) => "caught",
         };
-        let caught = fate.caught.as_deref().unwrap_or("-");
-        let _ = writeln!(table, "{id:<28} {:<16} {caught:<28} {verdict}", fate.mutant.class);
+        // A hang, or an answer that moves before it is taken, is seen by the bench and in no row.
+        let classes = match (fate.caught, fate.classes.is_empty()) {
+            (false, _) => "-".to_owned(),
+            (true, true) => "the bench itself".to_owned(),
+            (true, false) => Vec::from_iter(fate.classes.iter().cloned()).join(" "),
+        };
+        for class in &fate.classes {
+            *catches.entry(class).or_default() += 1;
+        }
+        let _ = writeln!(table, "| {id} | {} | {verdict} | {classes} |", fate.mutant.class);
         if verdict.chars().all(|c| c.is_uppercase() || c == ' ') {
             faults.push(format!("{id}: {verdict}: {:?} {:?}", fate.named, fate.listed));
         }
@@ -176,9 +192,27 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
             right += usize::from(fate.right() && !fate.wrong());
         }
     }
-    eprintln!("{table}{right} of {live} causes named, {} mutants", fates.len());
+    let mut text = format!(
+        "# Which class of tests catches which defect\n\nWritten by `GUARDBIT_WRITE=1 cargo test --test hdl mutant` \
+         and compared by it. {right} of {live} causes named, {} mutants.\n\n| class of tests | defects \
+         |\n| --- | --- |\n",
+        fates.len()
+    );
+    for (class, count) in catches {
+        let _ = writeln!(text, "| {class} | {count} |");
+    }
+    let _ = write!(
+        text,
+        "\n| defect | kind | verdict | caught by |\n| --- | --- | --- | --- |\n{table}"
+    );
     assert!(faults.is_empty(), "{faults:#?}");
     if whole {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/mutants.md");
+        if std::env::var_os("GUARDBIT_WRITE").is_some() {
+            std::fs::write(&path, &text).unwrap();
+        }
+        let written = std::fs::read_to_string(&path).unwrap_or_default();
+        assert_eq!(written, text, "tests/hdl/mutants.md is not what the benches find");
         assert!(live >= 60, "{live}");
         assert!(right * 5 >= live * 4, "{right} of {live} causes named");
     }
