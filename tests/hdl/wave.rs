@@ -93,4 +93,30 @@ pub(crate) fn lines_up(_: &str) {
             assert_eq!(their_words[load..][..rows], words[..], "{bench} {name}");
         }
     }
+    // Streams keep their own time: the words of a record stand together when it is answered, and those of
+    // samples come in the trace's order.
+    for (bench, key) in [("setup", "e0"), ("triangle", "z")] {
+        let groups = manifest["groups"].as_array().unwrap();
+        let first = groups.iter().find(|group| group["bench"] == bench).unwrap();
+        let test = format!("{bench}/{}/0", first["tag"].as_str().unwrap());
+        let trace =
+            format!("trace sgi-4k --scene triangle --count 300 --test {test} --vcd trace.vcd");
+        run_in(&set.folder, &trace).ends(0);
+        let theirs = signals(&set.folder.join("bench.vcd"), &["tb", bench]);
+        let ours = signals(&set.folder.join("trace.vcd"), &[bench]);
+        assert!(ours.len() >= 12 && ours.contains_key(key), "{ours:?}");
+        for (name, (width, words)) in ours.iter().filter(|(name, _)| *name != "clk") {
+            // The number of a test is the bench's own, and no device counts the events of unwrapped values.
+            if ["test", "wrap", "clamp_above", "clamp_below", "inexact"].contains(&name.as_str()) {
+                continue;
+            }
+            let (their_width, their_words) = theirs.get(name).unwrap_or_else(|| panic!("{name}"));
+            assert_eq!(width, their_width, "{bench} {name}");
+            let mut left = their_words.iter();
+            assert!(
+                words.iter().all(|word| left.any(|their| their == word)),
+                "{bench} {name}: {words:?}"
+            );
+        }
+    }
 }

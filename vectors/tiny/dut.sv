@@ -81,14 +81,15 @@ module edge_stepper #(
     assign in_v = ~e[M-1];
 endmodule
 
-// Set-up divider: a signed numerator over a positive divisor, one quotient bit a clock, rounded
-// once. Spec: planes P and rounding R.
+// Set-up divider: a signed numerator over a positive divisor, rounded once; one quotient bit a clock,
+// or for quick simulation all of them. Spec: planes P and rounding R.
 module setup_divider #(
     parameter int NW = 100,              // bits of the numerator and of the quotient, signed
     parameter int DW = 50,               // bits of the divisor, unsigned, at least 1
     // 0 floor, 1 ceiling, 2 toward zero, 3 away from zero; nearest, ties: 4 even, 5 up, 6 down,
     // 7 away from zero, 8 toward zero; 9 to odd if inexact
-    parameter int ROUNDING = 4
+    parameter int ROUNDING = 4,
+    parameter int SERIAL = 1             // 1 a quotient bit a clock, 0 a whole quotient
 ) (
     input  logic          clk,
     input  logic          rst,
@@ -98,6 +99,7 @@ module setup_divider #(
     output logic          busy,
     output logic [NW-1:0] quotient       // valid when not busy
 );
+    localparam int W = NW > DW ? NW : DW;
     // Magnitudes are divided: |n| = q d + r. The sign says what rounding does to q.
     logic [NW-1:0] q;                    // numerator shifting out, quotient shifting in
     logic [DW:0] r;
@@ -115,6 +117,12 @@ module setup_divider #(
             r <= '0;
             d <= '0;
             negative <= 1'b0;
+        end
+        else if (left != 0 && SERIAL == 0) begin
+            // As the steps below leave them, a divisor of zero apart: nobody reads that quotient.
+            q <= d == 0 ? '1 : NW'(W'(q) / W'(d));
+            r <= d == 0 ? '0 : (DW+1)'(W'(q) % W'(d));
+            left <= '0;
         end
         else if (left != 0) begin
             q <= {q[NW-2:0], fits};
@@ -172,7 +180,8 @@ module triangle_setup #(
     parameter int I = 3,                // depth bits
     parameter int F = 3,                // interpolation bits
     parameter int ROUNDING = 4,          // as setup_divider has it
-    parameter int HALF = 0               // 1 where the start gains half a depth step
+    parameter int HALF = 0,              // 1 where the start gains half a depth step
+    parameter int SERIAL = 0             // as setup_divider has it
 ) (
     input  logic             clk,
     input  logic             rst,
@@ -251,13 +260,13 @@ module triangle_setup #(
     /* verilator lint_on UNUSED */
     wire [2:0] busy;
     wire go = held && !going;
-    setup_divider #(.NW(ZW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
+    setup_divider #(.NW(ZW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_z (
         .clk(clk), .rst(rst), .start(go), .numerator(ZW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
     );
-    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_x (
         .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
     );
-    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_y (
         .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
     );
 

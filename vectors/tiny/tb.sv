@@ -422,6 +422,30 @@ module setup_check (
     integer beat;
     reg [15:0] noise;
 
+    // Signals carry the names of the columns, as in the waves of `guardbit trace`.
+    wire [3:0] x0 = cfg.x0;
+    wire [3:0] y0 = cfg.y0;
+    wire [2:0] z0 = cfg.z0;
+    wire [3:0] x1 = cfg.x1;
+    wire [3:0] y1 = cfg.y1;
+    wire [2:0] z1 = cfg.z1;
+    wire [3:0] x2 = cfg.x2;
+    wire [3:0] y2 = cfg.y2;
+    wire [2:0] z2 = cfg.z2;
+    wire [5:0] e0 = o_e0;
+    wire [5:0] a0 = o_a0;
+    wire [5:0] b0 = o_b0;
+    wire [5:0] e1 = o_e1;
+    wire [5:0] a1 = o_a1;
+    wire [5:0] b1 = o_b1;
+    wire [5:0] e2 = o_e2;
+    wire [5:0] a2 = o_a2;
+    wire [5:0] b2 = o_b2;
+    wire [6:0] z = o_z;
+    wire [6:0] dzdx = o_dzdx;
+    wire [6:0] dzdy = o_dzdy;
+    wire [0:0] zero_area = o_zero_area;
+
     // Which clocks stall, by the record that is in the device.
     reg stalls;
     always @*
@@ -698,6 +722,30 @@ module triangle_check (
     integer quiet;                          // clocks since the last transfer
     integer beat;
     reg [15:0] noise;
+
+    // Signals carry the names of the columns, as in the waves of `guardbit trace`.
+    wire [5:0] e0 = cfg.e0;
+    wire [5:0] a0 = cfg.a0;
+    wire [5:0] b0 = cfg.b0;
+    wire [5:0] e1 = cfg.e1;
+    wire [5:0] a1 = cfg.a1;
+    wire [5:0] b1 = cfg.b1;
+    wire [5:0] e2 = cfg.e2;
+    wire [5:0] a2 = cfg.a2;
+    wire [5:0] b2 = cfg.b2;
+    wire [6:0] dzdx = cfg.dzdx;
+    wire [6:0] dzdy = cfg.dzdy;
+    wire [16:0] y0 = cfg.y0;
+    wire [16:0] y1 = cfg.y1;
+    wire [16:0] x0 = span_x0;
+    wire [16:0] x1 = span_x1;
+    wire [16:0] x = depth_x;
+    wire [16:0] y = depth_y;
+    wire [2:0] z = depth_z;
+    wire [31:0] test = triangle_test;
+    wire [31:0] spans = triangle_spans;
+    wire [31:0] samples = triangle_samples;
+    wire [0:0] zero_area = triangle_zero_area;
 
     // Which clocks stall, by the record that is in the device.
     reg stalls;
@@ -1072,19 +1120,19 @@ module tb;
 
     wire dda_done;
     wire [63:0] dda_rows, dda_mismatches;
-    dda_check dda (.clk(clk), .done(dda_done), .rows(dda_rows), .mismatches(dda_mismatches));
+    dda_check dda (.clk(clk && !dda_done), .done(dda_done), .rows(dda_rows), .mismatches(dda_mismatches));
 
     wire edge_done;
     wire [63:0] edge_rows, edge_mismatches;
-    edge_check edge_v (.clk(clk), .done(edge_done), .rows(edge_rows), .mismatches(edge_mismatches));
+    edge_check edge_v (.clk(clk && !edge_done), .done(edge_done), .rows(edge_rows), .mismatches(edge_mismatches));
 
     wire setup_done;
     wire [63:0] setup_rows, setup_mismatches;
-    setup_check setup (.clk(clk), .done(setup_done), .rows(setup_rows), .mismatches(setup_mismatches));
+    setup_check setup (.clk(clk && !setup_done), .done(setup_done), .rows(setup_rows), .mismatches(setup_mismatches));
 
     wire triangle_done;
     wire [63:0] triangle_rows, triangle_mismatches;
-    triangle_check triangle (.clk(clk), .done(triangle_done), .rows(triangle_rows), .mismatches(triangle_mismatches));
+    triangle_check triangle (.clk(clk && !triangle_done), .done(triangle_done), .rows(triangle_rows), .mismatches(triangle_mismatches));
 
     // Signals carry the names of the columns, as in the waves of `guardbit trace`.
     reg [8*256-1:0] wave;

@@ -25,7 +25,7 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
     let instances = each("\n", &|name| {
         let scope = identifier(name);
         format!(
-            "    wire {name}_done;\n    wire [63:0] {name}_rows, {name}_mismatches;\n    {name}_check {scope} (.clk(clk), .done({name}_done), .rows({name}_rows), .mismatches({name}_mismatches));\n"
+            "    wire {name}_done;\n    wire [63:0] {name}_rows, {name}_mismatches;\n    {name}_check {scope} (.clk(clk && !{name}_done), .done({name}_done), .rows({name}_rows), .mismatches({name}_mismatches));\n"
         )
     });
     let text = fill(

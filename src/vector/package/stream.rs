@@ -132,6 +132,7 @@ impl Stream<'_> {
                 ("COMPLETE", &all(" && ", "@ANSWER@file.line >= @EXP@_ROWS")),
                 ("VALID", &all(" || ", "@ANSWER@valid")),
                 ("LAST", &all("", "                @ANSWER@file.last;\n")),
+                ("WAVES", &self.waves()),
             ],
         );
         fill(
@@ -146,6 +147,28 @@ impl Stream<'_> {
                 ("CFG_PACK", &pack(self.cfg, "cfg_file.nibbles")),
             ],
         )
+    }
+}
+
+/// A signal of a wave: name, width and what it shows.
+type Shown<'n> = (&'n str, u32, String);
+
+impl Stream<'_> {
+    /// The columns as signals of their own names, each once: as a trace shows them.
+    fn waves(&self) -> String {
+        let mut shown: Vec<Shown> = Vec::new();
+        let taken = self.cfg.fields.iter().map(|field| (field, "cfg."));
+        let answered = self
+            .answers
+            .iter()
+            .flat_map(|answer| answer.ports().map(|field| (field, answer.prefix)));
+        for (field, prefix) in taken.chain(answered) {
+            shown.retain(|(name, ..)| *name != field.id);
+            shown.push((&field.id, field.column.width, format!("{prefix}{}", field.id)));
+        }
+        let wire =
+            |(name, width, what): Shown| format!("    wire [{}:0] {name} = {what};\n", width - 1);
+        shown.into_iter().map(wire).collect()
     }
 }
 

@@ -1,11 +1,12 @@
-// Set-up divider: a signed numerator over a positive divisor, one quotient bit a clock, rounded
-// once. Spec: planes P and rounding R.
+// Set-up divider: a signed numerator over a positive divisor, rounded once; one quotient bit a clock,
+// or for quick simulation all of them. Spec: planes P and rounding R.
 module setup_divider #(
     parameter int NW = 100,              // bits of the numerator and of the quotient, signed
     parameter int DW = 50,               // bits of the divisor, unsigned, at least 1
     // 0 floor, 1 ceiling, 2 toward zero, 3 away from zero; nearest, ties: 4 even, 5 up, 6 down,
     // 7 away from zero, 8 toward zero; 9 to odd if inexact
-    parameter int ROUNDING = 4
+    parameter int ROUNDING = 4,
+    parameter int SERIAL = 1             // 1 a quotient bit a clock, 0 a whole quotient
 ) (
     input  logic          clk,
     input  logic          rst,
@@ -15,6 +16,7 @@ module setup_divider #(
     output logic          busy,
     output logic [NW-1:0] quotient       // valid when not busy
 );
+    localparam int W = NW > DW ? NW : DW;
     // Magnitudes are divided: |n| = q d + r. The sign says what rounding does to q.
     logic [NW-1:0] q;                    // numerator shifting out, quotient shifting in
     logic [DW:0] r;
@@ -32,6 +34,12 @@ module setup_divider #(
             r <= '0;
             d <= '0;
             negative <= 1'b0;
+        end
+        else if (left != 0 && SERIAL == 0) begin
+            // As the steps below leave them, a divisor of zero apart: nobody reads that quotient.
+            q <= d == 0 ? '1 : NW'(W'(q) / W'(d));
+            r <= d == 0 ? '0 : (DW+1)'(W'(q) % W'(d));
+            left <= '0;
         end
         else if (left != 0) begin
             q <= {q[NW-2:0], fits};

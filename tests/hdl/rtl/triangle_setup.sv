@@ -13,7 +13,8 @@ module triangle_setup #(
     parameter int I = 24,                // depth bits
     parameter int F = 13,                // interpolation bits
     parameter int ROUNDING = 4,          // as setup_divider has it
-    parameter int HALF = 0               // 1 where the start gains half a depth step
+    parameter int HALF = 0,              // 1 where the start gains half a depth step
+    parameter int SERIAL = 1             // as setup_divider has it
 ) (
     input  logic             clk,
     input  logic             rst,
@@ -92,13 +93,13 @@ module triangle_setup #(
     /* verilator lint_on UNUSED */
     wire [2:0] busy;
     wire go = held && !going;
-    setup_divider #(.NW(ZW), .DW(P), .ROUNDING(ROUNDING)) divide_z (
+    setup_divider #(.NW(ZW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_z (
         .clk(clk), .rst(rst), .start(go), .numerator(ZW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
     );
-    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_x (
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_x (
         .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
     );
-    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING)) divide_y (
+    setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_y (
         .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
     );
 
