@@ -5,14 +5,14 @@ mod channel;
 mod depth;
 mod depth_bias;
 mod depth_buffer;
+mod depth_codec;
 mod depth_format;
 mod interpolate;
-mod w_float;
 
 pub use channel::{Channel, ChannelConfig, ChannelError, Extension};
 pub use depth::{Depth, DepthConfig, DepthError, StartBias};
 pub use depth_bias::DepthBias;
 pub use depth_buffer::{Compare, DepthBuffer};
+pub use depth_codec::{leading_ones, slope_code, w_float};
 pub use depth_format::{DepthFormat, DepthFormatError};
 pub use interpolate::{Interpolation, InterpolationConfig, InterpolationError, Interpolator};
-pub use w_float::{leading_ones, slope_code, w_float};

@@ -35,7 +35,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     }
     let report = budget::report(&profile).map_err(Failure::input)?;
     let scene = match &arguments.scene {
-        Some(source) => Some(required(source, &profile)?),
+        Some(source) => {
+            super::takes_primitives(&profile)?;
+            Some(required(source, &profile)?)
+        }
         None => None,
     };
     let mut output = Output::new();

@@ -91,12 +91,27 @@ pub struct Record {
     /// Its words.
     pub layout: Layout,
     packer: Packer,
+    /// Places of x, y, mask and coverage; none for a record that is no pixel.
+    drawn: [Option<usize>; 4],
 }
 
 impl Record {
     /// The words of a record of these values.
     pub fn words<'a>(&'a self, values: &'a [i64]) -> impl Iterator<Item = u32> + 'a {
         self.packer.words(values)
+    }
+
+    /// The pixels that a record of these values draws: those of a quad's mask, none where no sample is
+    /// covered, else the one at x and y.
+    pub fn pixels(&self, values: &[i64]) -> impl Iterator<Item = [i64; 2]> + use<> {
+        let [x, y, mask, coverage] = self.drawn.map(|place| place.map(|place| values[place]));
+        let (x, y, places) = match (x.zip(y), mask) {
+            (None, _) => (0, 0, 0),
+            (Some((x, y)), Some(mask)) => (2 * x, 2 * y, mask),
+            (Some((x, y)), None) => (x, y, i64::from(coverage != Some(0))),
+        };
+        let bits = (0..4).filter(move |bit| places >> bit & 1 == 1);
+        bits.map(move |bit| [x + (bit & 1), y + (bit >> 1)])
     }
 
     /// The place of a value.
@@ -183,7 +198,9 @@ impl RegisterConfig {
                 name,
                 known: names.join(", "),
             })?;
-            Ok(Record { letter, names, layout, packer })
+            let place = |name: &str| names.iter().position(|known| known == name);
+            let drawn = ["x", "y", "mask", "coverage"].map(place);
+            Ok(Record { letter, names, layout, packer, drawn })
         });
         let records = records.collect::<Result<Vec<_>, RegisterError>>()?;
         let registers = Some(Registers { radix: self.radix, input, records });
@@ -206,26 +223,9 @@ impl RegisterMachine {
         let Some(registers) = &self.ports.registers else { return };
         let mut pixels: Vec<(i64, i64)> = Vec::new();
         let wanted = out.wants_records();
-        let place: Vec<_> = registers
-            .records
-            .iter()
-            .map(|record| ["x", "y", "mask"].map(|name| record.position(name)))
-            .collect();
         for words in self.host(triangle) {
             self.engine.run(&words, &mut |kind, values| {
-                match place[kind] {
-                    // A quad's mask says which of its four pixels.
-                    [Some(x), Some(y), Some(mask)] => {
-                        for bit in 0..4 {
-                            if values[mask] >> bit & 1 == 1 {
-                                let at = (2 * values[x] + (bit & 1), 2 * values[y] + (bit >> 1));
-                                pixels.push((at.1, at.0));
-                            }
-                        }
-                    }
-                    [Some(x), Some(y), None] => pixels.push((values[y], values[x])),
-                    _ => {}
-                }
+                pixels.extend(registers.records[kind].pixels(values).map(|[x, y]| (y, x)));
                 if wanted {
                     out.record(kind, values);
                 }

@@ -1,7 +1,7 @@
 //! The words of a profile, taken apart.
 
 use crate::cover::SampleGrid;
-use crate::machine::ScanlineConfig;
+use crate::machine::{EngineConfig, RegisterConfig, ScanlineConfig, SlopeEdges};
 use crate::profile::{Form, InvalidProfile, Profile};
 use serde::Serialize;
 
@@ -19,8 +19,8 @@ pub struct Report {
 /// One word.
 #[derive(Clone, Debug, Serialize)]
 pub struct Word {
-    /// `vertex`, `edge` or `depth`.
-    pub name: &'static str,
+    /// `vertex`, `edge`, `share`, `depth`, or the channels that share it.
+    pub name: String,
     /// Bits in all.
     pub width: u32,
     /// Bits by purpose, most significant first.
@@ -75,7 +75,7 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
     let size = (profile.window.width, profile.window.height);
     let (low, high) = vertex.range();
     let mut words = vec![Word {
-        name: "vertex",
+        name: "vertex".to_owned(),
         width: vertex.integer + vertex.sub_pixel,
         fields: vec![field("integer", vertex.integer), field("sub-pixel", vertex.sub_pixel)],
         facts: vec![
@@ -92,11 +92,15 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
             fact("difference", &format!("{} bits", vertex.difference_bits())),
         ],
     }];
+    if let Form::Registers(machine) = &profile.form {
+        words.extend(register_words(machine));
+        return Ok(Report { profile: profile.name.clone(), about: profile.about.clone(), words });
+    }
     words.push(coverage_word(profile, &grid));
     if let Form::Barycentric(machine) = profile.form {
         let width = machine.coordinate_width();
         words.push(Word {
-            name: "share",
+            name: "share".to_owned(),
             width,
             fields: vec![field("integer", 2), field("fraction", machine.coordinate)],
             facts: vec![
@@ -127,7 +131,7 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
             fact("longest walk", &format!("{longest} steps")),
         ]);
         words.push(Word {
-            name: "depth",
+            name: "depth".to_owned(),
             width: read.width(),
             fields: vec![
                 field("guard", depth.guard),
@@ -138,6 +142,57 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
         });
     }
     Ok(Report { profile: profile.name.clone(), about: profile.about.clone(), words })
+}
+
+/// The edge word of an engine, if it has one, and those of its channels.
+fn register_words(machine: &RegisterConfig) -> Vec<Word> {
+    let edge = |fields: Vec<Field>, facts| {
+        let width = fields.iter().map(|field| field.bits).sum();
+        Word { name: "edge".to_owned(), width, fields, facts }
+    };
+    let fraction = |bits: u32| fact("resolution", &format!("2^-{bits} pixel"));
+    let mut words = match &machine.engine {
+        EngineConfig::Quads(quads) => {
+            vec![edge(vec![field("edge", quads.width)], vec![fact("beyond its range", "wraps")])]
+        }
+        EngineConfig::Slopes(slopes) => {
+            let (SlopeEdges::Divided { fraction: bits, .. }
+            | SlopeEdges::Given { fraction: bits, .. }) = slopes.edges;
+            vec![edge(
+                vec![field("integer", 32 - bits), field("fraction", bits)],
+                vec![fraction(bits)],
+            )]
+        }
+        EngineConfig::SubScanlines(_) => vec![edge(
+            vec![field("guard", 2), field("integer", 10), field("fraction", 16)],
+            vec![fraction(16), fact("rows", "four sub-scanlines each")],
+        )],
+        // Its sides are exact.
+        EngineConfig::Anchored(_) => Vec::new(),
+    };
+    words.extend(machine.channels.iter().map(|channel| {
+        let (guard, integer, interpolation) =
+            (channel.guard, channel.integer, channel.interpolation);
+        let read = guard + integer + interpolation;
+        let width = channel.width.unwrap_or(read);
+        let bits = [
+            ("above", width - read),
+            ("guard", guard),
+            ("integer", integer),
+            ("interpolation", interpolation),
+        ];
+        let fields = bits.into_iter().filter(|(_, bits)| *bits > 0);
+        Word {
+            name: channel.names.join(", "),
+            width,
+            fields: fields.map(|(name, bits)| field(name, bits)).collect(),
+            facts: vec![
+                fact("clamp", channel.clamp.name()),
+                fact("resolution", &format!("2^-{interpolation} of a code")),
+            ],
+        }
+    }));
+    words
 }
 
 /// How many steps after a rounded start keep the accumulated error below half a result unit:
@@ -164,7 +219,7 @@ fn coverage_word(profile: &Profile, grid: &SampleGrid) -> Word {
             std::cmp::Ordering::Greater => "more than enough",
         };
         return Word {
-            name: "edge",
+            name: "edge".to_owned(),
             width: edges.width,
             fields: vec![field("edge", edges.width)],
             facts: vec![
@@ -176,7 +231,7 @@ fn coverage_word(profile: &Profile, grid: &SampleGrid) -> Word {
     if let Some(walk) = profile.form.walk() {
         let rows = steps(walk.fraction.saturating_sub(vertex.sub_pixel), walk.rounding);
         return Word {
-            name: "edge",
+            name: "edge".to_owned(),
             width: walk.guard + walk.integer + walk.fraction,
             fields: vec![
                 field("guard", walk.guard),
@@ -195,7 +250,7 @@ fn coverage_word(profile: &Profile, grid: &SampleGrid) -> Word {
         _ => ScanlineConfig::width(vertex),
     };
     Word {
-        name: "edge",
+        name: "edge".to_owned(),
         width,
         fields: vec![field("edge", width)],
         facts: vec![fact("exact", "as wide as the vertex field asks")],

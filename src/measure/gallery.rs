@@ -114,8 +114,8 @@ impl Fine {
 /// Collects the hits of one triangle.
 struct Hits<'a> {
     model: &'a Model,
-    /// Places of x, y, mask, coverage and three channels in each kind of record.
-    places: Vec<[Option<usize>; 7]>,
+    /// Places of three channels in each kind of record.
+    places: Vec<[Option<usize>; 3]>,
     /// The top of each channel.
     tops: [f64; 3],
     found: Vec<(i64, i64, Option<[f64; 3]>)>,
@@ -134,25 +134,17 @@ impl Sink for Hits<'_> {
 
     #[allow(clippy::cast_precision_loss, reason = "codes of a few bits")]
     fn record(&mut self, kind: usize, values: &[i64]) {
-        let [Some(x), Some(y), mask, coverage, colour @ ..] = self.places[kind] else { return };
-        if let Some(mask) = mask {
-            for bit in (0..4).filter(|bit| values[mask] >> bit & 1 == 1) {
-                self.found.push((2 * values[x] + (bit & 1), 2 * values[y] + (bit >> 1), None));
-            }
+        let Some(record) = self.model.registers().and_then(|known| known.records.get(kind)) else {
             return;
-        }
-        // A pixel none of whose samples is covered is not written.
-        if coverage.is_some_and(|coverage| values[coverage] == 0) {
-            return;
-        }
-        let colour = match colour {
+        };
+        let colour = match self.places[kind] {
             [Some(r), Some(g), Some(b)] => {
                 let code = |n: usize, place: usize| values[place] as f64 / self.tops[n] * 255.0;
                 Some([code(0, r), code(1, g), code(2, b)])
             }
             _ => None,
         };
-        self.found.push((values[x], values[y], colour));
+        self.found.extend(record.pixels(values).map(|[x, y]| (x, y, colour)));
     }
 }
 
@@ -258,7 +250,7 @@ pub fn panel(
 
 /// The top of each of the first three channels, where a record has what, and whether there are colours.
 #[allow(clippy::cast_precision_loss, reason = "codes of a few bits")]
-fn places(profile: &Profile, model: &Model) -> ([f64; 3], Vec<[Option<usize>; 7]>, bool) {
+fn places(profile: &Profile, model: &Model) -> ([f64; 3], Vec<[Option<usize>; 3]>, bool) {
     let Form::Registers(machine) = &profile.form else { return ([1.0; 3], Vec::new(), false) };
     let channels = machine.channels.iter();
     let channels =
@@ -269,9 +261,7 @@ fn places(profile: &Profile, model: &Model) -> ([f64; 3], Vec<[Option<usize>; 7]
     let records = model.registers().map_or(&[][..], |registers| &registers.records);
     let place = |record: &crate::machine::Record| {
         let channel = |n: usize| first.get(n).and_then(|(name, _)| record.position(name));
-        let [x, y, mask, coverage] =
-            ["x", "y", "mask", "coverage"].map(|name| record.position(name));
-        [x, y, mask, coverage, channel(0), channel(1), channel(2)]
+        [channel(0), channel(1), channel(2)]
     };
     ([top(0), top(1), top(2)], records.iter().map(place).collect(), first.len() == 3)
 }

@@ -182,7 +182,7 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
         let classes = match (fate.caught, fate.classes.is_empty()) {
             (false, _) => "-".to_owned(),
             (true, true) => "the bench itself".to_owned(),
-            (true, false) => Vec::from_iter(fate.classes.iter().cloned()).join(" "),
+            (true, false) => fate.classes.iter().cloned().collect::<Vec<_>>().join(" "),
         };
         for class in &fate.classes {
             *catches.entry(class).or_default() += 1;

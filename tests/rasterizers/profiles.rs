@@ -141,3 +141,24 @@ fn what_has_no_meaning_is_refused() {
     let error = parse(&text, "changed.toml").unwrap_err().to_string();
     assert!(error.contains("[depth] beside [form.registers]"), "{error}");
 }
+
+/// Clause RG-20: the words of a machine, taken apart: an edge's own, and those that channels share.
+#[test]
+fn budgets_name_the_words_of_a_machine() {
+    let words = |name: &str| -> Vec<(String, u32)> {
+        let report = guardbit::measure::budget::report(&load(name).unwrap()).unwrap();
+        for word in &report.words {
+            let sum: u32 = word.fields.iter().map(|field| field.bits).sum();
+            assert_eq!(sum, word.width, "{name} {}", word.name);
+        }
+        report.words.into_iter().map(|word| (word.name, word.width)).collect()
+    };
+    let list = |words: &[(&str, u32)]| -> Vec<(String, u32)> {
+        words.iter().map(|(name, bits)| ((*name).to_owned(), *bits)).collect()
+    };
+    // As each oracle's registers have them: 28 bits of x, 32 of an attribute; 20 of a PlayStation's.
+    let n64 = [("vertex", 13), ("edge", 28), ("r, g, b, a", 32), ("s, t, w", 32), ("z", 32)];
+    assert_eq!(words("n64"), list(&n64));
+    assert_eq!(words("ps1"), list(&[("vertex", 11), ("r, g, b, u, v", 20)]));
+    assert_eq!(words("psp"), list(&[("vertex", 16), ("edge", 32)]));
+}

@@ -171,13 +171,12 @@ impl Walk {
     /// Calls `row` with the number of the row from the first, y, and x of both ends.
     pub(super) fn rows(&self, mut row: impl FnMut(i64, i64, i32, i32)) {
         match self.kind {
-            Kind::Divided { v: [a, b, c], slopes: [ab, ac, bc], rows } => {
+            Kind::Divided { v: [a, b, _], slopes: [ab, ac, bc], rows } => {
                 let s = self.sub_pixel;
                 let at = |from: [i32; 2], slope: i32, centre: i32| {
                     let along = slope.wrapping_mul(centre.wrapping_sub(from[1])) >> s;
                     (from[0] << (self.fraction - s)).wrapping_add(along)
                 };
-                let _ = c;
                 for y in rows[0]..rows[1] {
                     let centre = low((y << s) + (1 << s >> 1));
                     let end = if centre < b[1] { at(a, ab, centre) } else { at(b, bc, centre) };

@@ -1,5 +1,5 @@
-//! Two depth codecs of real hardware: 1/w as a small float, and 18 bits by leading ones. Spec clauses
-//! `RG-14` and `RG-19`.
+//! Depth codecs that register machines pick: 1/w as a small float, 18 bits by leading ones, and the code of
+//! a depth slope. Spec clauses `RG-14` and `RG-19`.
 
 /// 1/w of .32 fixed point as 4.12 float, larger is farther; the lowest 0 for 1/w of one or more, and
 /// 0xf001 below 2^-16.
