@@ -736,9 +736,17 @@ fn a_dump_that_stops_early_is_said_to() {
         let cut = text[..text.len() / 2].trim_end();
         let last = cut.lines().last().unwrap();
         if last.len() < lines[0].len() {
-            let error = golden.compare(name, cut).unwrap_err().to_string();
-            assert!(error.contains(&format!("{name}:{}:", cut.lines().count())), "{error}");
+            let count = cut.lines().count() as u64;
+            let report = golden.compare(name, cut).unwrap();
+            assert_eq!((report.cut, report.rows, report.short), (Some(count), count - 1, true));
+            assert!(!report.disagrees, "{name}");
+            // The same in the middle of a dump is no row.
+            let error = golden.compare(name, &format!("{cut}\n{}\n", lines[0])).unwrap_err();
+            assert!(error.to_string().contains(&format!("{name}:{count}:")), "{error}");
         }
+        // The beginning of a row after the last.
+        let report = golden.compare(name, &format!("{text}0")).unwrap();
+        assert_eq!((report.total, report.short, report.disagrees), (1, false, true), "{name}");
     }
     // A defect is known from a short dump, too.
     let stepper = Stepper { slip: Slip::HoldSteps, ..Stepper::depth(Reader::of(&golden.profile)) };

@@ -108,7 +108,12 @@ fn compare(
     if report.short {
         output.line("the dump ends before the set does: a simulation that stopped early?")?;
     }
-    if !report.disagrees {
+    if let Some(line) = report.cut {
+        output.line(format!(
+            "its line {line} ends in the middle of a row: the simulation was stopped there"
+        ))?;
+    }
+    if report.short && !report.disagrees {
         output.line("every row of the dump agrees: it only stopped early")?;
         output.flush()?;
         return Ok(Outcome::Mismatch);

@@ -68,6 +68,8 @@ pub struct DumpReport {
     pub lost: bool,
     /// Whether the dump ends before the set does.
     pub short: bool,
+    /// The dump's last line, where it ends in the middle of a row: that row counts as missing.
+    pub cut: Option<u64>,
     /// Whether anything disagrees beside the rows missing from the end.
     pub disagrees: bool,
 }

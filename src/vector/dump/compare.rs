@@ -43,14 +43,17 @@ pub(super) fn agrees(expected: &[u128], row: &DumpRow) -> bool {
 pub(super) type ByTest = HashMap<u128, Vec<DumpRow>>;
 
 /// Reads a keyed dump.
-pub(super) fn by_test(subject: &Subject, dump: &Path) -> Result<(ByTest, u64), DumpError> {
+pub(super) fn by_test(
+    subject: &Subject,
+    dump: &Path,
+) -> Result<(ByTest, u64, Option<u64>), DumpError> {
     let mut reader = RowReader::open(dump, &subject.spec.columns)?;
     let (mut rows, mut map) = (0, ByTest::new());
     while let Some(row) = reader.next_row()? {
         rows += 1;
         map.entry(row.words[0]).or_default().push(row);
     }
-    Ok((map, rows))
+    Ok((map, rows, reader.cut()))
 }
 
 /// Compares a dump with the set's own expectations.
@@ -126,6 +129,8 @@ fn ordered(
             text: "a row too much: the set has ended".to_owned(),
         });
     }
+    report.cut = reader.cut();
+    beginning_too_much(report, most);
     Ok(())
 }
 
@@ -135,8 +140,8 @@ fn keyed(
     most: usize,
     report: &mut DumpReport,
 ) -> Result<(), DumpError> {
-    let (mut map, rows) = by_test(subject, dump)?;
-    report.rows = rows;
+    let (mut map, rows, cut) = by_test(subject, dump)?;
+    (report.rows, report.cut) = (rows, cut);
     let mut expected = Expected::new(subject);
     let bench = &*subject.bench;
     // Rows in file order: the number of this one, of the last one found, of the first one missing.
@@ -198,7 +203,22 @@ fn keyed(
             text,
         });
     }
+    beginning_too_much(report, most);
     Ok(())
+}
+
+/// The beginning of a row where none is missing.
+fn beginning_too_much(report: &mut DumpReport, most: usize) {
+    if report.cut.is_some() && !report.short {
+        report.disagrees = true;
+        let line = report.cut;
+        keep(report, most, || Mismatch {
+            row: None,
+            line,
+            test: "-".to_owned(),
+            text: "the beginning of a row too much: the set has ended".to_owned(),
+        });
+    }
 }
 
 /// Key columns by name, in decimal.

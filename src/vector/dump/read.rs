@@ -58,6 +58,7 @@ pub struct RowReader {
     columns: Vec<Column>,
     line: u64,
     buffer: Vec<u8>,
+    cut: Option<u64>,
 }
 
 impl RowReader {
@@ -70,7 +71,12 @@ impl RowReader {
             .map_err(|source| DumpError::Io { path: path.display().to_string(), source })?;
         let input = BufReader::with_capacity(1 << 18, file);
         let (path, columns) = (path.to_owned(), columns.to_vec());
-        Ok(Self { path, input, columns, line: 0, buffer: Vec::new() })
+        Ok(Self { path, input, columns, line: 0, buffer: Vec::new(), cut: None })
+    }
+
+    /// The line that ends in the middle of a row, at the end of the dump: its writer was stopped there.
+    pub fn cut(&self) -> Option<u64> {
+        self.cut
     }
 
     fn fault(&self, message: String) -> DumpError {
@@ -101,13 +107,34 @@ impl RowReader {
                 return Err(self.fault("not text".to_owned()));
             };
             let text = text.split("//").next().unwrap_or_default().trim();
-            if !text.is_empty() {
-                return parse(text, &self.columns, self.line)
-                    .map(Some)
-                    .map_err(|message| self.fault(message));
+            if text.is_empty() {
+                continue;
             }
+            let row = parse(text, &self.columns, self.line);
+            if row.is_err() && !self.buffer.ends_with(b"\n") && is_beginning(text, &self.columns) {
+                self.cut = Some(self.line);
+                return Ok(None);
+            }
+            return row.map(Some).map_err(|message| self.fault(message));
         }
     }
+}
+
+/// Whether a text could be the beginning of a row.
+fn is_beginning(text: &str, columns: &[Column]) -> bool {
+    let mut rest = text;
+    for column in columns {
+        let digits = column.digits().min(rest.len());
+        let (mine, later) = rest.split_at_checked(digits).unwrap_or((rest, ""));
+        if !mine.chars().all(|c| c.is_ascii_hexdigit() || "xXzZ".contains(c)) {
+            return false;
+        }
+        match later.strip_prefix('_') {
+            Some(later) => rest = later,
+            None => return later.is_empty(),
+        }
+    }
+    false
 }
 
 fn parse(text: &str, columns: &[Column], line: u64) -> Result<DumpRow, String> {
