@@ -43,7 +43,14 @@ pub(crate) struct Arguments {
     /// The same scene through each of these profiles instead, names or files with commas between; without a
     /// value, through the real rasterizers among the built-in ones. PROFILE then only says what integer
     /// coordinates of a scene mean.
-    #[arg(long, value_name = "PROFILES", value_delimiter = ',', num_args = 0..=1, default_missing_value = "all")]
+    #[arg(
+        long,
+        value_name = "PROFILES",
+        value_delimiter = ',',
+        num_args = 0..=1,
+        default_missing_value = "all",
+        conflicts_with_all = ["show", "machines", "stamp"]
+    )]
     profiles: Option<Vec<String>>,
     /// Only these machines, by the names of `form` in a profile, with commas between.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_machine)]
