@@ -6,7 +6,7 @@ mod record;
 mod walk;
 
 pub use fill::Raster;
-pub use record::{Drawing, Span};
+pub use record::{Drawing, Records, Span};
 pub use walk::Walk;
 
 use crate::cover::{Rect, SampleGrid, Segment};

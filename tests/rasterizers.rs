@@ -15,26 +15,14 @@ mod slopes;
 #[path = "rasterizers/sub_scanlines.rs"]
 mod sub_scanlines;
 
-use guardbit::machine::Sink;
-use guardbit::model::Model;
+use guardbit::model::{Model, Records};
 use guardbit::profile::{Profile, parse};
 
 /// The records that words draw, as values in the engine's order.
-#[derive(Default)]
-struct Kept(Vec<(usize, Vec<i64>)>);
-
-impl Sink for Kept {
-    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
-
-    fn record(&mut self, kind: usize, values: &[i64]) {
-        self.0.push((kind, values.to_vec()));
-    }
-}
-
 fn records(model: &Model, words: &[u32]) -> Vec<(usize, Vec<i64>)> {
-    let mut kept = Kept::default();
-    model.draw_words(words, &mut kept).unwrap();
-    kept.0
+    let mut records = Records::up_to(u64::MAX);
+    model.draw_words(words, &mut records).unwrap();
+    records.kept
 }
 
 /// A toy profile: a vertex field and sample, then what is under `[form.registers]`.

@@ -3,7 +3,7 @@
 use super::Outcome;
 use super::failure::Failure;
 use guardbit::machine::{DrawError, Registers, Sink};
-use guardbit::model::{Drawing, Model, View};
+use guardbit::model::{Drawing, Model, Records, View};
 use guardbit::profile;
 use guardbit::scene::Triangle;
 use guardbit::scene::lines::{self, Primitive};
@@ -12,8 +12,6 @@ use std::io::{BufRead, Write};
 
 /// Longest line read, so that input without newlines cannot fill the memory.
 const LONGEST: u64 = 1 << 24;
-/// The most records of an answer, so that a few words cannot fill the memory: 2048 x 2048 pixels.
-const RECORDS: u64 = 1 << 22;
 
 /// Live model on a pipe: JSON Lines in, JSON Lines out, flushed line by line.
 ///
@@ -132,17 +130,17 @@ fn reply_words(
     id: Option<&str>,
     answer: &mut String,
 ) -> Result<(), String> {
-    struct Records<'a> {
+    struct Lines<'a> {
         registers: &'a Registers,
         answer: &'a mut String,
         rows: u64,
     }
-    impl Sink for Records<'_> {
+    impl Sink for Lines<'_> {
         fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
 
         fn record(&mut self, kind: usize, values: &[i64]) {
             self.rows += 1;
-            if self.rows > RECORDS {
+            if self.rows > Records::MOST {
                 return;
             }
             self.answer.push_str(if self.rows == 1 { "[\"" } else { ", [\"" });
@@ -155,12 +153,15 @@ fn reply_words(
     };
     let words = registers.parse(words).map_err(|error| error.to_string())?;
     let _ = write!(answer, "{{\"id\": {}, \"out\": [", id.unwrap_or("null"));
-    let mut records = Records { registers, answer, rows: 0 };
+    let mut records = Lines { registers, answer, rows: 0 };
     model.draw_words(&words, &mut records).map_err(|error| error.to_string())?;
-    if records.rows > RECORDS {
+    if records.rows > Records::MOST {
         let rows = records.rows;
         answer.clear();
-        return Err(format!("{rows} records are drawn, and an answer has at most {RECORDS}"));
+        return Err(format!(
+            "{rows} records are drawn, and an answer has at most {}",
+            Records::MOST
+        ));
     }
     answer.push(']');
     let masked = registers.input.dropped(&words);

@@ -84,3 +84,44 @@ impl Sink for Drawing {
         self.events.span(events);
     }
 }
+
+/// The records that registers draw, kept up to a number and counted beyond it.
+#[derive(Clone, Debug)]
+pub struct Records {
+    /// Kind and values of each.
+    pub kept: Vec<(usize, Vec<i64>)>,
+    /// How many were drawn.
+    pub total: u64,
+    most: u64,
+}
+
+impl Records {
+    /// The most that an answer to somebody from outside should hold, so that a few words cannot fill
+    /// the memory: 2048 x 2048 pixels.
+    pub const MOST: u64 = 1 << 22;
+
+    /// None yet, and at most so many.
+    pub const fn up_to(most: u64) -> Self {
+        Self { kept: Vec::new(), total: 0, most }
+    }
+
+    /// Whether every record was kept.
+    pub const fn is_whole(&self) -> bool {
+        self.total <= self.most
+    }
+}
+
+impl Sink for Records {
+    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
+
+    fn wants_records(&self) -> bool {
+        true
+    }
+
+    fn record(&mut self, kind: usize, values: &[i64]) {
+        self.total += 1;
+        if self.is_whole() {
+            self.kept.push((kind, values.to_vec()));
+        }
+    }
+}

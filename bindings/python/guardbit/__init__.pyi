@@ -23,6 +23,10 @@ class Model:
     def draw(self, vertices: Sequence[Vertex]) -> Drawing:
         """Draws x, y on the profile's grid and z in depth codes (ignored without depth); ValueError
         if a vertex is outside its field or the profile refuses."""
+    def words(self, words: Sequence[int]) -> list[tuple[str, list[int]]]:
+        """Draws what registers say, on a profile that begins there: 32-bit words in the profile's order;
+        each record's letter and words in the order that the hardware draws. ValueError for another number
+        of words, or more than 4194304 records."""
     def depth_walk(self) -> Walk: ...
     def edge_walk(self) -> Walk: ...
 

@@ -1,7 +1,7 @@
 //! The live model for Python. What each thing is, is in `guardbit/__init__.pyi`.
 
 use guardbit::dda::Op;
-use guardbit::model::Drawing;
+use guardbit::model::{Drawing, Records};
 use guardbit::profile;
 use guardbit::scene;
 use pyo3::exceptions::PyValueError;
@@ -53,6 +53,25 @@ impl Model {
             z: drawing.depth,
             zero_area: drawing.zero_area,
         })
+    }
+
+    fn words(&self, words: Vec<u32>) -> PyResult<Vec<(char, Vec<u32>)>> {
+        let registers = self.0.registers();
+        let registers = registers
+            .ok_or_else(|| refuse("this profile's machine draws primitives, not registers"))?;
+        let mut records = Records::up_to(Records::MOST);
+        self.0.draw_words(&words, &mut records).map_err(refuse)?;
+        if !records.is_whole() {
+            let (total, most) = (records.total, Records::MOST);
+            return Err(refuse(format!(
+                "{total} records are drawn, and an answer has at most {most}"
+            )));
+        }
+        let answer = records.kept.iter().map(|(kind, values)| {
+            let record = &registers.records[*kind];
+            (record.letter, record.words(values).collect())
+        });
+        Ok(answer.collect())
     }
 
     fn depth_walk(&self) -> PyResult<Walk> {

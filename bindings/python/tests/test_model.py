@@ -32,10 +32,22 @@ def test_an_edge_is_inside_when_its_sign_is_clear():
     assert walk.clock(1, 0, -1, 0) == ((1 << 35) - 1, 0)
 
 
+def test_registers_are_drawn():
+    # Right-angled at (4, 4), two pixels a side, in 1/16: E is 32 times the distance to each side.
+    words = [64, 64, 96, 64, 64, 96, 48, 48, 127, 127]
+    x, y, at = 4, 4, 7
+    long = 32 * (32 - at - at)
+    records = guardbit.Model("psp").words(words)
+    assert records[0] == ("P", [x | y << 16, long, 32 * at, 32 * at])
+    assert [words[0] & 0xFFFF for _, words in records] == [4, 5, 4]
+
+
 @pytest.mark.parametrize(
     "call, says",
     [
         (lambda: guardbit.Model("nothing"), "nothing"),
+        (lambda: guardbit.Model("tiny").words([1]), "draws primitives"),
+        (lambda: guardbit.Model("psp").words([1, 2]), "2 words are given, and this machine takes 10"),
         (lambda: guardbit.Model("tiny").draw([(-1, 0, 0), (8, 0, 7), (0, 8, 7)]), "-1"),
         (lambda: guardbit.Model("tiny").draw([(0, 0, 8), (8, 0, 7), (0, 8, 7)]), r"v\[0\]\[2\] = 8"),
         (lambda: guardbit.Model("tiny").depth_walk().clock(4, 0, 0, 0), "op = 4"),

@@ -4,8 +4,8 @@ use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
 use crate::case::triangle::{self, Directed, Stimulus};
 use crate::case::{Class, Words};
 use crate::format::Column;
-use crate::machine::{Registers, Sink, columns};
-use crate::model::Model;
+use crate::machine::{Registers, columns};
+use crate::model::{Model, Records};
 use crate::profile::neighbours;
 use crate::setup::Triangle;
 use crate::vector::table::Table;
@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// Rows asked for in a walk file per random or scene test.
 const ROWS_PER_TEST: u64 = 256;
 /// The most records of a test: one with more is left out, or falls back on what a host would write.
-const LARGEST: usize = 1024;
+const LARGEST: u64 = 1024;
 /// Extent of a random triangle, in pixels.
 const REACH: i128 = 16;
 /// Triangles looked at for one that draws.
@@ -45,25 +45,6 @@ pub struct RegisterBench {
     groups: Vec<Group>,
 }
 
-/// Records with their kinds.
-#[derive(Default)]
-struct Kept(Vec<(usize, Vec<i64>)>);
-
-impl Sink for Kept {
-    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
-
-    fn wants_records(&self) -> bool {
-        true
-    }
-
-    fn record(&mut self, kind: usize, values: &[i64]) {
-        // One more than is taken says that there are too many.
-        if self.0.len() <= LARGEST {
-            self.0.push((kind, values.to_vec()));
-        }
-    }
-}
-
 impl RegisterBench {
     /// The bench, if the profile begins at registers.
     pub fn new(source: &Source) -> Option<Self> {
@@ -72,7 +53,7 @@ impl RegisterBench {
         let stimulus = Stimulus::new(&source.profile);
         let small = |triangle: &Triangle| {
             let words = model.host(triangle);
-            words.first().is_some_and(|words| records(&model, words).len() <= LARGEST)
+            words.first().is_some_and(|words| records(&model, words).is_whole())
         };
         let mut directed = stimulus.directed();
         for class in &mut directed {
@@ -134,10 +115,10 @@ impl RegisterBench {
                 host(&self.stimulus.random(key, Some(REACH)))
             });
             let first = lists.next().unwrap_or_default();
-            if !records(&self.host, &first).is_empty() {
+            if !records(&self.host, &first).kept.is_empty() {
                 return first;
             }
-            lists.find(|words| !records(&self.host, words).is_empty()).unwrap_or(first)
+            lists.find(|words| !records(&self.host, words).kept.is_empty()).unwrap_or(first)
         };
         match at.group - self.directed.len() {
             0 => host(&self.scene[index % self.scene.len().max(1)]),
@@ -167,16 +148,16 @@ impl RegisterBench {
 
     /// The words, unless they draw too much.
     fn bounded(&self, changed: Vec<u32>, otherwise: Vec<u32>) -> Vec<u32> {
-        if records(&self.host, &changed).len() > LARGEST { otherwise } else { changed }
+        if records(&self.host, &changed).is_whole() { changed } else { otherwise }
     }
 }
 
 /// What words draw.
-fn records(model: &Model, words: &[u32]) -> Vec<(usize, Vec<i64>)> {
-    let mut kept = Kept::default();
+fn records(model: &Model, words: &[u32]) -> Records {
+    let mut records = Records::up_to(LARGEST);
     // The number of words is the profile's own.
-    let _ = model.draw_words(words, &mut kept);
-    kept.0
+    let _ = model.draw_words(words, &mut records);
+    records
 }
 
 fn files(registers: &Registers) -> Vec<FileSpec> {
@@ -217,7 +198,7 @@ impl Bench for RegisterBench {
             std::iter::once(i128::from(at.test)).chain(words.map(i128::from)).collect()
         };
         cfg.push(&row(&mut words.iter().copied()));
-        for (kind, values) in records(&self.model, &words) {
+        for (kind, values) in records(&self.model, &words).kept {
             let record = &self.registers.records[kind];
             exps[kind].push(&row(&mut record.words(&values)));
         }
