@@ -116,3 +116,40 @@ descent = { tile = 8, block = 2 }
     // The extent wraps often in 7 bits: what that loses is part of the clause.
     assert!(drawn > 100_000 && lost > 1000, "{drawn} {lost}");
 }
+
+/// Clauses RG-5 and RG-7: with words that hold every value, halving tiles and writing quads change nothing in what
+/// is drawn: all triangles on a lattice of 5 x 5 once more.
+#[test]
+fn descent_and_quads_draw_the_same_pixels() {
+    let rest = "width = 12\nrule = \"truncated-side\"\n";
+    let plain = model(4, 1, [1, 0], &format!("{VERTICES}{rest}"));
+    let quads = VERTICES
+        .replace("emit = \"pixels\"", "emit = \"quads\"")
+        .replace("\"e0\", \"e1\", \"e2\"", "\"mask\"");
+    let descent = "descent = { tile = 4, block = 2 }\n";
+    let others = [
+        model(4, 1, [1, 0], &format!("{quads}{rest}")),
+        model(4, 1, [1, 0], &format!("{quads}{rest}{descent}")),
+        model(4, 1, [1, 0], &format!("{VERTICES}{rest}{descent}")),
+    ];
+    let pixels = |model: &guardbit::model::Model, words: &[u32]| {
+        let record = &model.registers().unwrap().records[0];
+        let drawn = records(model, words);
+        let mut pixels: Vec<[i64; 2]> =
+            drawn.iter().flat_map(|(_, values)| record.pixels(values)).collect();
+        pixels.sort_unstable();
+        pixels
+    };
+    let mut drawn = 0;
+    for n in 0..25u32.pow(3) {
+        let v = [n % 25, n / 25 % 25, n / 625].map(|n| [n % 5, n / 5]);
+        let mut words: Vec<u32> = v.into_iter().flatten().collect();
+        words.extend([0, 0, 5, 5]);
+        let expected = pixels(&plain, &words);
+        for (kind, other) in others.iter().enumerate() {
+            assert_eq!(pixels(other, &words), expected, "{v:?}, kind {kind}");
+        }
+        drawn += expected.len();
+    }
+    assert!(drawn > 5000, "{drawn}");
+}
