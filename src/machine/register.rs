@@ -9,6 +9,7 @@ mod quad_engine;
 mod quad_host;
 mod slope;
 mod slope_edge;
+mod slope_host;
 mod sub_scanline;
 mod sub_span;
 mod text;

@@ -1,23 +1,21 @@
 //! The edges of the engine `slopes`: divided from vertices, or given. Spec clauses `RG-11` and `RG-12`.
 
-use super::host::{attributes, gradient};
 use super::input::{Inputs, RegisterError};
-use super::slope::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges, Slopes};
-use crate::bits::Rounding;
+use super::slope::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
 use crate::format::Gather;
-use crate::setup::{Triangle, VertexConfig};
+use crate::setup::VertexConfig;
 
 /// Where the registers of the edges lie.
 #[derive(Clone, Debug)]
 pub(super) struct EdgeInput {
-    source: Source,
+    pub(super) source: Source,
     /// The register that says which way rows run, and what it says of rows to the left.
-    direction: (Gather, bool),
-    fraction: u32,
+    pub(super) direction: (Gather, bool),
+    pub(super) fraction: u32,
 }
 
 #[derive(Clone, Debug)]
-enum Source {
+pub(super) enum Source {
     Divided { vertices: [[Gather; 2]; 3], row_bias: i64 },
     Given { start: [Gather; 2], slope: Gather, ends: [[Gather; 3]; 2], rows: RowOrder },
 }
@@ -196,108 +194,5 @@ impl Walk {
                 }
             }
         }
-    }
-}
-
-impl Slopes {
-    /// What a host would write: vertices or slopes, and channels whose slopes are nearest to the exact
-    /// ones.
-    pub(super) fn host_words(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {
-        let mut words = vec![0; count];
-        let one = 1i128 << self.sub_pixel;
-        let mut v = triangle.xy;
-        let upward = matches!(self.edges.source, Source::Given { rows: RowOrder::Up, .. });
-        v.sort_by_key(|at| if upward { -at[1] } else { at[1] });
-        let [a, b, c] = v;
-        // Whether the long edge is the left one.
-        let cross = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
-        let leftward = (cross < 0) != upward;
-        if cross == 0 {
-            return Vec::new();
-        }
-        let mut put = |gather: &Gather, value: i128| {
-            gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
-        };
-        let (direction, says_left) = &self.edges.direction;
-        put(direction, i128::from(leftward == *says_left));
-        let f = self.edges.fraction;
-        let grid = self.target.grid;
-        // Where channels start, in sub-pixels: x as numerator and denominator, and y.
-        let mut origin = ((a[0], 1), a[1]);
-        match &self.edges.source {
-            Source::Divided { vertices, .. } => {
-                for (gathers, at) in vertices.iter().zip(v) {
-                    gathers.iter().zip(at).for_each(|(gather, value)| put(gather, value));
-                }
-            }
-            Source::Given { start, slope, ends, .. } => {
-                let slope_of = |p: [i128; 2], q: [i128; 2]| {
-                    Rounding::NearestEven
-                        .divide((q[0] - p[0]) << f, (p[1] - q[1]).abs().max(1))
-                        .map_or(0, |(slope, _)| slope)
-                };
-                // Rows between two heights, the first of them, and x of an edge there.
-                let rows = |p: [i128; 2], q: [i128; 2]| {
-                    let (low, high) = (p[1].min(q[1]), p[1].max(q[1]));
-                    let (first, last) = grid.pixels(1, (low, high - 1));
-                    (if upward { last - 1 } else { first }, (last - first).max(0))
-                };
-                let x_at = |p: [i128; 2], q: [i128; 2], row: i128| {
-                    let y = grid.position(0, row)[1];
-                    let along = (q[0] - p[0]) * (y - p[1]);
-                    let height = q[1] - p[1];
-                    let x = (((p[0] - grid.offset[0]) * height + along) << f, height * one);
-                    let (x, height) = if x.1 < 0 { (-x.0, -x.1) } else { x };
-                    Rounding::NearestEven.divide(x, height.max(1)).map_or(0, |(x, _)| x)
-                };
-                let (row, _) = rows(a, c);
-                put(&start[1], row);
-                put(&start[0], x_at(a, c, row));
-                put(slope, slope_of(a, c));
-                for (gathers, (p, q)) in ends.iter().zip([(a, b), (b, c)]) {
-                    let (first, count) = rows(p, q);
-                    if count > 0 {
-                        put(&gathers[0], x_at(p, q, first));
-                        put(&gathers[1], slope_of(p, q));
-                        put(&gathers[2], count);
-                    }
-                }
-                let (y, height) = (grid.position(0, row)[1], c[1] - a[1]);
-                let (x, sign) = (a[0] * height + (c[0] - a[0]) * (y - a[1]), height.signum());
-                origin = ((x * sign, height * sign), y);
-            }
-        }
-        for (n, (channel, input)) in self.channels.iter().enumerate() {
-            let values = attributes(channel, n);
-            let Some(([dx, dy], area)) = gradient(triangle, values) else { continue };
-            let at_edge = matches!(self.config.plane, Plane::AtEdge { .. });
-            // Along the row as it runs, and down the long edge where channels start there.
-            let run = if at_edge && leftward { -1 } else { 1 };
-            let along = channel.register(dx * one * run, area, channel.shift_along);
-            let (down, over) = if at_edge {
-                let change = dx * (c[0] - a[0]) + dy * (c[1] - a[1]);
-                (change * one, area * (c[1] - a[1]).abs())
-            } else {
-                (dy * one, area)
-            };
-            let down = channel.register(down, over, channel.shift);
-            let (p, ((x, part), y)) = (triangle.xy[0], origin);
-            let value = values[0] * area * part + dx * (x - p[0] * part) + dy * (y - p[1]) * part;
-            let start = channel.register(value, area * part, channel.shift);
-            put(&input.start, i128::from(start));
-            put(&input.along, i128::from(along));
-            put(&input.down, i128::from(down));
-        }
-        let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
-        let past = u32::from(self.config.clip == super::slope::ClipEnds::Closed);
-        let [(x0, x1), (y0, y1)] = ends;
-        let ends = [x0, x1.saturating_sub(past), y0, y1.saturating_sub(past)];
-        for (gather, end) in self.clip.iter().zip(ends) {
-            put(gather, i128::from(end));
-        }
-        for flag in self.clips.iter().chain(&self.adjust) {
-            put(flag, 1);
-        }
-        vec![words]
     }
 }

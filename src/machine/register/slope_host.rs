@@ -1,0 +1,139 @@
+//! What a host writes for the engine `slopes`: vertices or the slopes of sides, and channels whose slopes are
+//! nearest to the exact ones. Spec clause `RG-4`.
+
+use super::host::{attributes, gradient};
+use super::slope::{ClipEnds, Plane, RowOrder, Slopes};
+use super::slope_edge::Source;
+use crate::bits::Rounding;
+use crate::cover::SampleGrid;
+use crate::format::Gather;
+use crate::setup::Triangle;
+
+/// A place in sub-pixels: x as numerator and positive denominator, and y.
+type Origin = ((i128, i128), i128);
+
+/// A side in sub-pixels, from the end that is drawn first.
+type Side = ([i128; 2], [i128; 2]);
+
+/// Writes a value into its register.
+type Put<'a> = &'a mut dyn FnMut(&Gather, i128);
+
+/// The quotient nearest to the exact one; the denominator is not zero.
+fn nearest(numerator: i128, denominator: i128) -> i128 {
+    let sign = denominator.signum();
+    let exact = Rounding::NearestEven.divide(numerator * sign, denominator * sign);
+    exact.map_or(0, |(quotient, _)| quotient)
+}
+
+/// The rows of the samples between two ends: the one drawn first, and how many.
+fn rows(grid: &SampleGrid, (p, q): Side) -> (i128, i128) {
+    let (first, last) = grid.pixels(1, (p[1].min(q[1]), p[1].max(q[1]) - 1));
+    (if p[1] > q[1] { last - 1 } else { first }, (last - first).max(0))
+}
+
+impl Slopes {
+    /// The words of a triangle: one list, or none without area.
+    pub(super) fn host_words(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {
+        let upward = matches!(self.edges.source, Source::Given { rows: RowOrder::Up, .. });
+        let mut v = triangle.xy;
+        v.sort_by_key(|at| if upward { -at[1] } else { at[1] });
+        let [a, b, c] = v;
+        // Which side of the long edge the third vertex is on, as seen while it is walked.
+        let cross = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+        if cross == 0 {
+            return Vec::new();
+        }
+        let leftward = (cross < 0) != upward;
+        let mut words = vec![0; count];
+        let mut put = |gather: &Gather, value: i128| {
+            gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+        };
+        let (direction, says_left) = &self.edges.direction;
+        put(direction, i128::from(leftward == *says_left));
+        let origin = self.host_edges(v, &mut put);
+        self.host_channels(triangle, (a, c), leftward, origin, &mut put);
+        let past = u32::from(self.config.clip == ClipEnds::Closed);
+        let [(x0, x1), (y0, y1)] =
+            [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
+        let ends = [x0, x1.saturating_sub(past), y0, y1.saturating_sub(past)];
+        for (gather, end) in self.clip.iter().zip(ends) {
+            put(gather, i128::from(end));
+        }
+        for flag in self.clips.iter().chain(&self.adjust) {
+            put(flag, 1);
+        }
+        vec![words]
+    }
+
+    /// Writes the sides; where channels start.
+    fn host_edges(&self, [a, b, c]: [[i128; 2]; 3], put: Put<'_>) -> Origin {
+        let (grid, fraction) = (&self.target.grid, self.edges.fraction);
+        match &self.edges.source {
+            Source::Divided { vertices, .. } => {
+                for (gathers, at) in vertices.iter().zip([a, b, c]) {
+                    gathers.iter().zip(at).for_each(|(gather, value)| put(gather, value));
+                }
+                ((a[0], 1), a[1])
+            }
+            Source::Given { start, slope, ends, .. } => {
+                let one = 1i128 << self.sub_pixel;
+                let x_at = |(p, q): Side, row: i128| {
+                    let (along, height) = (q[0] - p[0], q[1] - p[1]);
+                    let down = grid.position(0, row)[1] - p[1];
+                    let x = (p[0] - grid.offset[0]) * height + along * down;
+                    nearest(x << fraction, height * one)
+                };
+                let slope_of =
+                    |(p, q): Side| nearest((q[0] - p[0]) << fraction, (p[1] - q[1]).abs());
+                let (row, _) = rows(grid, (a, c));
+                put(&start[0], x_at((a, c), row));
+                put(&start[1], row);
+                put(slope, slope_of((a, c)));
+                for (gathers, side) in ends.iter().zip([(a, b), (b, c)]) {
+                    let (first, count) = rows(grid, side);
+                    if count > 0 {
+                        put(&gathers[0], x_at(side, first));
+                        put(&gathers[1], slope_of(side));
+                        put(&gathers[2], count);
+                    }
+                }
+                let (y, height) = (grid.position(0, row)[1], c[1] - a[1]);
+                let x = a[0] * height + (c[0] - a[0]) * (y - a[1]);
+                ((x * height.signum(), height.abs()), y)
+            }
+        }
+    }
+
+    /// Writes starts and slopes of the channels.
+    fn host_channels(
+        &self,
+        triangle: &Triangle,
+        (a, c): Side,
+        leftward: bool,
+        ((x, part), y): Origin,
+        put: Put<'_>,
+    ) {
+        let one = 1i128 << self.sub_pixel;
+        let at_edge = matches!(self.config.plane, Plane::AtEdge { .. });
+        let p = triangle.xy[0];
+        for (n, (channel, input)) in self.channels.iter().enumerate() {
+            let values = attributes(channel, n);
+            let Some(([dx, dy], area)) = gradient(triangle, values) else { continue };
+            // Along the row as it runs, and down the long edge where channels start there.
+            let run = if at_edge && leftward { -1 } else { 1 };
+            let (down, over) = if at_edge {
+                let change = dx * (c[0] - a[0]) + dy * (c[1] - a[1]);
+                (change * one, area * (c[1] - a[1]).abs())
+            } else {
+                (dy * one, area)
+            };
+            let start = values[0] * area * part + dx * (x - p[0] * part) + dy * (y - p[1]) * part;
+            let mut register = |gather, numerator, denominator, shift| {
+                put(gather, i128::from(channel.register(numerator, denominator, shift)));
+            };
+            register(&input.start, start, area * part, channel.shift);
+            register(&input.along, dx * one * run, area, channel.shift_along);
+            register(&input.down, down, over, channel.shift);
+        }
+    }
+}
