@@ -119,12 +119,18 @@ impl Model {
         self.depth.as_ref()
     }
 
-    /// The viewport that scenes land in.
+    /// The viewport that scenes land in. Its largest depth is a number that the profile's source holds:
+    /// a code of more than 24 bits would be rounded up to one beyond the range.
     pub fn viewport(&self) -> scene::Viewport {
+        let depth_max = self.profile.depth_max();
+        let beyond = match self.profile.vertex.source {
+            crate::setup::Source::F32 => (u64::BITS - depth_max.leading_zeros()).saturating_sub(24),
+            crate::setup::Source::F64 => (u64::BITS - depth_max.leading_zeros()).saturating_sub(53),
+        };
         scene::Viewport {
             width: self.profile.window.width,
             height: self.profile.window.height,
-            depth_max: self.profile.depth_max(),
+            depth_max: depth_max >> beyond << beyond,
         }
     }
 

@@ -306,6 +306,32 @@ fn a_square_through_every_rasterizer() {
             _ => assert_eq!(wrong, 0, "{name}"),
         }
     }
+    // A grid as fine as the reference's own half, and integers of the profile that the scene is given in.
+    let fine = folder.path().join("fine.toml");
+    let text = guardbit(&["profile", "show", "sgi-4k"]).stdout;
+    let text = String::from_utf8(text).unwrap();
+    let text =
+        text.replace("integer = 12", "integer = 8").replace("sub-pixel = 10", "sub-pixel = 24");
+    let text = text.split("[depth]").next().unwrap().replace("width = 35", "width = 64");
+    let text = text.replace("width = 4096", "width = 64").replace("height = 4096", "height = 64");
+    std::fs::write(&fine, text).unwrap();
+    std::fs::write(&scene, "{\"v\": [[512,512],[1536,512],[512,1536]]}\n").unwrap();
+    let both = format!("{},vulkan-4bit", fine.display());
+    let report = json(&[
+        "compare",
+        "vulkan-4bit",
+        "--profiles",
+        &both,
+        "--scene",
+        scene.to_str().unwrap(),
+        "--window",
+        "8x8",
+        "--json",
+    ]);
+    for row in report["profiles"].as_array().unwrap() {
+        // Legs of four pixels in 1/256: 4 + 3 + 2 + 1 samples, less the four on the slanting side.
+        assert_eq!((row["hits"].as_u64(), row["holes"].as_u64()), (Some(6), Some(0)), "{row}");
+    }
     let other = guardbit(&["compare", "--profiles", "ps2", "--scene", "fan"]);
     assert_eq!(other.status.code(), Some(2));
     let refused = guardbit(&["explore", "n64", "--vary", "sub-pixel=2", "--scene", "fan"]);

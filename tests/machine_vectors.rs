@@ -185,6 +185,21 @@ fn several_samples_have_golden_sets() {
     }
 }
 
+/// Clause S-5: every built-in profile has a set that is made again from its own files, its scene among them,
+/// and no triangle of a scene that fills the depth range is left out.
+#[test]
+fn every_built_in_profile_has_a_set_that_recomputes() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    for (name, _) in guardbit::profile::BUILTIN {
+        let set = ["vectors", name, "--scene", "fan", "--out", "set", "--count", "400", "--force"];
+        let ran = guardbit(folder, &set);
+        let stderr = String::from_utf8_lossy(&ran.stderr).into_owned();
+        assert_eq!((ran.status.code(), stderr.contains("left out")), (Some(0), false), "{stderr}");
+        good(folder, &["verify", "set", "--recompute"]);
+    }
+}
+
 /// What a device of another profile answers to the words of a set.
 struct Device<'a> {
     model: &'a guardbit::model::Model,

@@ -23,7 +23,7 @@ pub struct Witness {
     pub scene: usize,
     /// The triangle and the sample; absent for what has no place, such as a triangle refused.
     pub place: Option<Place>,
-    /// The triangle on the grid, vertices in sub-pixels.
+    /// The triangle on the grid, vertices as `eval` takes them.
     pub vertices: Option<[[i128; 2]; 3]>,
     /// Depth of its vertices.
     pub depths: Option<[i128; 3]>,
@@ -70,7 +70,7 @@ pub(super) fn witness(
         figure: figure(&whole),
         scene,
         place,
-        vertices: face.map(|face| face.triangle.xy),
+        vertices: face.map(|face| profile.vertex.to_input(face.triangle.xy)),
         depths: face.and_then(|face| face.triangle.z),
         finding,
     }))

@@ -26,6 +26,7 @@ pub use find::{Place, What};
 pub use inspect::{Inspector, Value as Inspected};
 pub use moment::{Moments, Spread};
 pub use order::Pair;
+pub(super) use reference::reference_grid;
 pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};
 pub use stage::{Face, Stage, Surface};
 pub use tally::{Accuracy, Deviation, Tally, ValueError, ValueTally};

@@ -1,15 +1,13 @@
 //! One scene through several profiles, side by side: what each covers and colours, against the scene itself
 //! before any snapping. Spec clause `RG-22`.
 
+use super::accuracy::{Reference, Truth, reference_grid};
+use crate::exact::Rule;
 use crate::machine::Sink;
 use crate::model::{Model, View};
 use crate::profile::{Form, InvalidProfile, Profile};
-use crate::scene::{Scene, Triangle};
-use crate::setup::{EdgeCoefficients, snap_f64};
 use serde::Serialize;
 
-/// Fraction bits of the scene as it is taken for true.
-const FINE: u32 = 20;
 /// Codes of 256 that a colour may be off before it is counted.
 pub const COLOUR_LIMIT: f64 = 8.0;
 
@@ -64,53 +62,6 @@ pub enum Mark {
     Colour,
 }
 
-/// A triangle as the scene has it, on a lattice so fine that nothing is lost in a picture.
-#[derive(Clone, Copy, Debug)]
-struct Fine {
-    xy: [[i128; 2]; 3],
-    /// Twice the area, and whether v1 and v2 had to change places for it to be positive.
-    area: i128,
-    turned: bool,
-}
-
-impl Fine {
-    fn new(triangle: &Triangle, lattice: u32) -> Option<Self> {
-        let place = |value: f64| snap_f64(value, FINE, crate::bits::Rounding::NearestEven);
-        let xy = match triangle {
-            Triangle::Lattice { xy, .. } => {
-                xy.map(|at| at.map(|value| Some(value << FINE.saturating_sub(lattice))))
-            }
-            Triangle::Real { xy, .. } => xy.map(|at| at.map(place)),
-        };
-        let mut points = [[0; 2]; 3];
-        for (n, at) in xy.iter().enumerate() {
-            for (axis, value) in at.iter().enumerate() {
-                points[n][axis] = (*value).filter(|value| value.unsigned_abs() < 1 << 40)?;
-            }
-        }
-        let triangle = crate::setup::Triangle { xy: points, z: None };
-        let area = triangle.area2();
-        let xy = triangle.normalised().xy;
-        Some(Self { xy, area: area.abs(), turned: area < 0 })
-    }
-
-    fn edges(&self) -> [EdgeCoefficients; 3] {
-        crate::setup::edges(&crate::setup::Triangle { xy: self.xy, z: None })
-    }
-
-    /// What each vertex of the scene has in a point, in parts of the whole.
-    #[allow(clippy::cast_precision_loss, reason = "a picture's colours")]
-    fn shares(&self, edges: &[EdgeCoefficients; 3], at: [i128; 2]) -> [f64; 3] {
-        let part = |k: usize| edges[k].at(at[0], at[1]) as f64 / self.area as f64;
-        // Edge k runs from vertex k to the next, and is as far from zero as the third one's share.
-        let mut shares = [part(1), part(2), part(0)];
-        if self.turned {
-            shares.swap(1, 2);
-        }
-        shares
-    }
-}
-
 /// Collects the hits of one triangle.
 struct Hits<'a> {
     model: &'a Model,
@@ -148,16 +99,14 @@ impl Sink for Hits<'_> {
     }
 }
 
-/// Draws a scene through a profile in a window of this size. Integer coordinates of the scene count
-/// 2^-lattice pixels.
+/// Draws a scene through a profile in a window of this size.
 ///
 /// # Errors
 /// [`InvalidProfile`] if the window is none for it.
 pub fn panel(
-    scene: &Scene,
+    scene: &Reference,
     profile: &Profile,
     size: [u32; 2],
-    lattice: u32,
 ) -> Result<Panel, InvalidProfile> {
     let mut profile = profile.clone();
     // One hit a pixel, at its own place; depth has no part in it.
@@ -165,34 +114,21 @@ pub fn panel(
     let view = View { window: Some((size[0], size[1])), ..View::default() };
     let model = Model::with_view(&profile, view)?;
     let grid = profile.grid()?;
-    let offset = grid.offset.map(|offset| offset << (FINE - grid.sub_pixel));
+    let truth = Truth::new(scene, &grid, model.clip(), Rule::TopLeft);
+    let samples = reference_grid(&grid);
     let pixels = size[0] as usize * size[1] as usize;
+    let at = |column: u32, row: u32| row as usize * size[0] as usize + column as usize;
     let (mut wanted, mut drawn) = (vec![0u32; pixels], vec![0u32; pixels]);
     let (mut off, mut colour) = (vec![false; pixels], vec![[0; 3]; pixels]);
     let (mut refused, mut outside, mut colours_off, mut worst) = (0, 0, 0, 0.0f64);
     let (tops, places, has_colour) = places(&profile, &model);
     let mut hits = Hits { model: &model, places, tops, found: Vec::new() };
-    for triangle in &scene.triangles {
-        let Some(fine) = Fine::new(triangle, lattice) else {
-            refused += 1;
-            continue;
-        };
-        let edges = fine.edges();
-        let at = |x: i64, y: i64| {
-            [(x, 0), (y, 1)].map(|(c, axis)| (i128::from(c) << FINE) + offset[axis])
-        };
-        count(&fine, &edges, size, at, &mut wanted);
-        #[allow(clippy::cast_precision_loss, reason = "below 2^53 in any window")]
-        let real = Triangle::Real {
-            xy: match triangle {
-                Triangle::Real { xy, .. } => *xy,
-                Triangle::Lattice { xy, .. } => {
-                    xy.map(|at| at.map(|value| value as f64 / f64::from(1u32 << lattice.min(31))))
-                }
-            },
-            z: None,
-        };
-        let Ok(snapped) = model.snap(&real) else {
+    for index in 0..scene.triangles.len() {
+        for run in truth.runs(index) {
+            wanted[at(run.x0, run.y)..at(run.x1, run.y)].iter_mut().for_each(|count| *count += 1);
+        }
+        let snapped = model.snap(&scene.triangle(index, &profile));
+        let (Some(face), Ok(snapped)) = (scene.face(index), snapped) else {
             refused += 1;
             continue;
         };
@@ -204,20 +140,20 @@ pub fn panel(
             if column >= size[0] || row >= size[1] {
                 continue;
             }
-            let place = row as usize * size[0] as usize + column as usize;
+            let place = at(column, row);
             drawn[place] += 1;
-            let exact = (fine.area > 0).then(|| fine.shares(&edges, at(*x, *y)));
-            let is_out = |shares: [f64; 3]| shares.iter().any(|share| *share < 0.0);
-            outside += u64::from(exact.is_none_or(is_out));
+            // Not finite without area, where no colour is right or wrong.
+            let exact = face.weights(samples.position((*x).into(), (*y).into()));
+            let is_in = exact.iter().all(|share| *share >= 0.0);
+            outside += u64::from(!is_in);
             let grey = 110 + 12 * u8::try_from(drawn[place] % 8).unwrap_or(0);
             colour[place] = [grey; 3];
             if let Some(shade) = shade {
                 colour[place] = shade.map(byte);
                 // Outside of the triangle the plane goes on, and 0 and the maximum are its ends.
-                let wrong = exact.map_or(0.0, |exact| {
-                    let errors = exact.iter().zip(shade);
-                    errors.map(|(e, s)| (e.clamp(0.0, 1.0) * 255.0 - s).abs()).fold(0.0, f64::max)
-                });
+                let errors = exact.iter().zip(shade);
+                let wrong =
+                    errors.map(|(e, s)| (e.clamp(0.0, 1.0) * 255.0 - s).abs()).fold(0.0, f64::max);
                 worst = worst.max(wrong);
                 off[place] = wrong > COLOUR_LIMIT;
                 colours_off += u64::from(wrong > COLOUR_LIMIT);
@@ -264,39 +200,6 @@ fn places(profile: &Profile, model: &Model) -> ([f64; 3], Vec<[Option<usize>; 3]
         [channel(0), channel(1), channel(2)]
     };
     ([top(0), top(1), top(2)], records.iter().map(place).collect(), first.len() == 3)
-}
-
-/// Counts the samples that a triangle covers.
-fn count(
-    fine: &Fine,
-    edges: &[EdgeCoefficients; 3],
-    size: [u32; 2],
-    at: impl Fn(i64, i64) -> [i128; 2],
-    wanted: &mut [u32],
-) {
-    if fine.area == 0 {
-        return;
-    }
-    let end = |axis: usize, of: fn(i128, i128) -> i128| {
-        fine.xy.iter().map(|at| at[axis]).reduce(of).map_or(0, |end| end >> FINE)
-    };
-    let range = |axis: usize| {
-        let most = i128::from(size[axis]);
-        let low = i64::try_from((end(axis, i128::min) - 1).clamp(0, most)).unwrap_or(0);
-        (low, i64::try_from((end(axis, i128::max) + 2).clamp(0, most)).unwrap_or(0))
-    };
-    let ((x0, x1), (y0, y1)) = (range(0), range(1));
-    for y in y0..y1 {
-        for x in x0..x1 {
-            let [px, py] = at(x, y);
-            let inside = edges.iter().all(|edge| {
-                let value = edge.at(px, py);
-                value > 0 || value == 0 && crate::cover::FillRule::TopLeft.owns(edge.direction())
-            });
-            let place = usize::try_from(y * i64::from(size[0]) + x).unwrap_or(0);
-            wanted[place] += u32::from(inside);
-        }
-    }
 }
 
 #[allow(

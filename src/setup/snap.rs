@@ -142,6 +142,17 @@ impl VertexConfig {
         1 + (i128::BITS - (high - low).leading_zeros())
     }
 
+    /// Bits below the pixel of the integer coordinates that a caller gives. Spec clause `S-5`.
+    pub fn input_bits(&self) -> u32 {
+        self.lattice.unwrap_or(self.sub_pixel)
+    }
+
+    /// Vertices of the grid as a caller gives them: what [`VertexConfig::accept`] brings back.
+    pub fn to_input(&self, xy: [[i128; 2]; 3]) -> [[i128; 2]; 3] {
+        let finer = self.input_bits() - self.sub_pixel;
+        xy.map(|vertex| vertex.map(|value| value << finer))
+    }
+
     /// An integer coordinate in sub-pixels, snapped from the profile's lattice where that is finer;
     /// outside the field it is refused: an error, never a wrap. Spec clauses `S-2` and `S-5`.
     ///
@@ -149,10 +160,8 @@ impl VertexConfig {
     /// [`VertexError::Outside`].
     pub fn accept(&self, vertex: usize, axis: usize, value: i128) -> Result<i128, VertexError> {
         let (low, high) = self.range();
-        let value = match self.lattice {
-            Some(lattice) => self.snap.shift_right(value, lattice - self.sub_pixel).0,
-            None => value,
-        };
+        let finer = self.input_bits() - self.sub_pixel;
+        let value = self.snap.shift_right(value, finer).0;
         if (low..=high).contains(&value) {
             Ok(value)
         } else {

@@ -129,6 +129,15 @@ impl Source {
     }
 }
 
+/// Cuts a small set to its size: never more tests than rows were asked for.
+fn cut(groups: &mut [Group], rows: u64) {
+    let mut left = rows;
+    for group in groups {
+        group.tests = group.tests.min(left);
+        left -= group.tests;
+    }
+}
+
 /// Looks up test number `test`.
 pub fn locate(groups: &[Group], test: u64) -> Option<TestAt> {
     let mut first = 0;

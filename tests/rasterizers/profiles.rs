@@ -142,6 +142,19 @@ fn what_has_no_meaning_is_refused() {
     assert!(error.contains("[depth] beside [form.registers]"), "{error}");
 }
 
+/// Clause RG-2: records beyond a number are counted and not kept.
+#[test]
+fn records_are_kept_up_to_a_number() {
+    let model = Model::new(&load("psp").unwrap()).unwrap();
+    // Right-angled, two pixels a side: three of them.
+    let words = [64, 64, 96, 64, 64, 96, 48, 48, 127, 127];
+    for (most, kept, whole) in [(2, 2, false), (3, 3, true), (9, 3, true)] {
+        let mut records = guardbit::model::Records::up_to(most);
+        model.draw_words(&words, &mut records).unwrap();
+        assert_eq!((records.kept.len(), records.total, records.is_whole()), (kept, 3, whole));
+    }
+}
+
 /// Clause RG-20: the words of a machine, taken apart: an edge's own, and those that channels share.
 #[test]
 fn budgets_name_the_words_of_a_machine() {

@@ -1,14 +1,16 @@
 //! The same scene through several profiles: a table, and a picture of each.
 
+use super::picture::head;
 use super::{Arguments, interruptible};
 use crate::cli::Outcome;
 use crate::cli::failure::Failure;
 use crate::cli::output::{Output, check_place, write_text};
 use crate::cli::render::{BACKGROUND, Colour};
 use crate::cli::report::data_uri;
+use guardbit::measure::accuracy::Reference;
 use guardbit::measure::gallery::{COLOUR_LIMIT, Mark, Panel, panel};
 use guardbit::profile::{self, Profile};
-use guardbit::scene::{self, Scene, Viewport};
+use guardbit::scene::{self, Viewport};
 use serde::Serialize;
 use std::fmt::Write as _;
 
@@ -53,11 +55,11 @@ pub(super) fn show(arguments: &Arguments, names: &[String]) -> Result<Outcome, F
     };
     let profiles: Vec<Profile> =
         names.iter().map(|name| profile::load(name)).collect::<Result<_, _>>()?;
-    let lattice = profile::load(&arguments.profile)?.vertex;
-    let lattice = lattice.lattice.unwrap_or(lattice.sub_pixel);
+    let base = profile::load(&arguments.profile)?;
     let (width, height) = arguments.window.unwrap_or(WINDOW);
     let scene = scene::load(&arguments.scene, &Viewport { width, height, depth_max: 1 })?;
     let size = [width, height];
+    let reference = Reference::new(scene, &base);
     let panels = interruptible(|go_on| {
         let mut panels = Vec::new();
         for profile in &profiles {
@@ -65,21 +67,21 @@ pub(super) fn show(arguments: &Arguments, names: &[String]) -> Result<Outcome, F
                 break;
             }
             panels.push(
-                panel(&scene, profile, size, lattice)
+                panel(&reference, profile, size)
                     .map_err(|error| Failure::input(format!("{}: {error}", profile.name)))?,
             );
         }
         Ok(panels)
     })?;
     if let Some(path) = &arguments.svg {
-        write_text(path, &picture(&scene, &panels)?)?;
+        write_text(path, &picture(&reference, &panels)?)?;
     }
     let mut output = Output::new();
     if arguments.json {
-        let (triangles, scene) = (scene.triangles.len(), scene.name.as_str());
+        let (triangles, scene) = (reference.triangles.len(), reference.name.as_str());
         output.json(&Report { scene, window: size, triangles, profiles: &panels })?;
     } else {
-        print(&mut output, &scene, size, &panels)?;
+        print(&mut output, &reference, size, &panels)?;
     }
     output.flush()?;
     Ok(Outcome::Good)
@@ -87,7 +89,7 @@ pub(super) fn show(arguments: &Arguments, names: &[String]) -> Result<Outcome, F
 
 fn print(
     output: &mut Output,
-    scene: &Scene,
+    scene: &Reference,
     size: [u32; 2],
     panels: &[Panel],
 ) -> Result<(), Failure> {
@@ -135,7 +137,7 @@ const ORANGE: Colour = [235, 110, 40];
 const GREY: Colour = [104, 116, 128];
 
 /// Each profile's picture, and below it what differs.
-fn picture(scene: &Scene, panels: &[Panel]) -> Result<String, Failure> {
+fn picture(scene: &Reference, panels: &[Panel]) -> Result<String, Failure> {
     let [width, height] = panels.first().map_or([1, 1], |panel| panel.size);
     let zoom = (SIDE / width.max(height)).max(1);
     let (wide, high) = (width * zoom, height * zoom);
@@ -144,21 +146,14 @@ fn picture(scene: &Scene, panels: &[Panel]) -> Result<String, Failure> {
     let columns = count.min(COLUMNS);
     let each = 2 * high + GAP / 2 + TITLE + GAP;
     let (whole, tall) = (GAP + columns * (pitch + GAP), 44 + count.div_ceil(columns) * each + 30);
-    let name = scene.name.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
-    // Writing to a String cannot fail.
-    let mut svg = String::new();
-    let _ = write!(
-        svg,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{whole}\" height=\"{tall}\" \
-         font-family=\"sans-serif\" font-size=\"12\" fill=\"#282828\">\n\
-         <rect width=\"{whole}\" height=\"{tall}\" fill=\"#fff\"/>\n\
-         <text x=\"{GAP}\" y=\"26\" font-size=\"16\">{name} through {count} rasterizers, {width} x {height} \
-         pixels</text>\n"
-    );
+    let name = &scene.name;
+    let title = format!("{name} through {count} rasterizers, {width} x {height} pixels");
+    let mut svg = head([whole, tall], &title);
     for (n, panel) in (0u32..).zip(panels) {
         let (x, y) = (GAP + n % columns * (pitch + GAP), 44 + n / columns * each);
         let colours =
             panel.colours_off.map_or_else(String::new, |off| format!(", {off} colours off"));
+        // Writing to a String cannot fail.
         let _ = write!(
             svg,
             "<text x=\"{x}\" y=\"{}\" font-size=\"14\">{} ({})</text>\n\

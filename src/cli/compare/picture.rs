@@ -29,16 +29,8 @@ pub(super) fn machines(
     let columns = u32::try_from(maps.len().clamp(1, COLUMNS)).unwrap_or(1);
     let rows = u32::try_from(maps.len().div_ceil(COLUMNS)).unwrap_or(1);
     let (whole, tall) = (GAP + columns * (pitch + GAP), 40 + rows * (height + TITLE + GAP) + 48);
-    // Writing to a String cannot fail.
-    let mut svg = String::new();
-    let _ = write!(
-        svg,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{whole}\" height=\"{tall}\" \
-         font-family=\"sans-serif\" font-size=\"12\" fill=\"#282828\">\n\
-         <rect width=\"{whole}\" height=\"{tall}\" fill=\"#fff\"/>\n\
-         <text x=\"{GAP}\" y=\"26\" font-size=\"16\">{}: coverage and depth against exact</text>\n",
-        escaped(&comparison.scene)
-    );
+    let title = format!("{}: coverage and depth against exact", comparison.scene);
+    let mut svg = head([whole, tall], &title);
     for (n, (map, row)) in (0u32..).zip(maps.iter().zip(&comparison.machines)) {
         let (x, y) = (GAP + n % columns * (pitch + GAP), 40 + n / columns * (height + TITLE + GAP));
         let depth = row.depth_worst_ulp.map_or_else(String::new, |worst| {
@@ -48,6 +40,7 @@ pub(super) fn machines(
             (true, 0) => "coverage exact".to_owned(),
             (_, differs) => format!("{differs} samples differ"),
         };
+        // Writing to a String cannot fail.
         let _ = write!(
             svg,
             "<text x=\"{x}\" y=\"{}\" font-size=\"14\">{} ({})</text>\n\
@@ -74,6 +67,17 @@ pub(super) fn machines(
         tall - 12
     );
     Ok(svg)
+}
+
+/// The beginning of a picture with a title.
+pub(super) fn head([width, height]: [u32; 2], title: &str) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
+         font-family=\"sans-serif\" font-size=\"12\" fill=\"#282828\">\n\
+         <rect width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>\n\
+         <text x=\"{GAP}\" y=\"26\" font-size=\"16\">{}</text>\n",
+        escaped(title)
+    )
 }
 
 fn escaped(text: &str) -> String {

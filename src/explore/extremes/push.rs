@@ -7,6 +7,7 @@ use crate::explore::tolerance::Tolerance;
 use crate::format::Clamp;
 use crate::profile::Profile;
 use crate::scene::{Lens, Triangle};
+use crate::setup::VertexConfig;
 use crate::value::DepthConfig;
 
 /// Every push that means something for a profile.
@@ -38,6 +39,7 @@ type Given = ([[i128; 2]; 3], Option<[i128; 3]>);
 
 /// The window in sub-pixels, as far as vertices go, and the vertex field.
 struct Grid {
+    vertex: VertexConfig,
     field: (i128, i128),
     low: [i128; 2],
     high: [i128; 2],
@@ -57,6 +59,7 @@ impl Grid {
         let offset = profile.sample.map_or([half; 2], |s| [s.x, s.y].map(i128::from));
         let last = [0, 1].map(|axis| (size[axis] - 1) * pixel + offset[axis]);
         Self {
+            vertex: profile.vertex,
             field: (low, high),
             low: [low.max(0); 2],
             high: size.map(|side| high.min(side * pixel)),
@@ -71,7 +74,7 @@ impl Grid {
     fn keep(&self, triangles: Vec<Given>) -> Vec<Vec<Triangle>> {
         let inside = |value: &i128| (self.field.0..=self.field.1).contains(value);
         let kept = triangles.into_iter().filter(|(xy, _)| xy.iter().flatten().all(inside));
-        kept.map(|(xy, z)| vec![Triangle::Lattice { xy, z }]).collect()
+        kept.map(|(xy, z)| vec![Triangle::Lattice { xy: self.vertex.to_input(xy), z }]).collect()
     }
 }
 

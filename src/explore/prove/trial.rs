@@ -36,7 +36,7 @@ pub(super) fn shoot(
     let [x0, y0] = [at[0]?, at[1]?];
     let scissor = Some(Rect { x0, y0, x1: x0 + 1, y1: y0 + 1 });
     let model = Model::with_view(profile, View { scissor, ..View::default() }).ok()?;
-    let xy = triangle.xy.map(|vertex| question.to_model(vertex));
+    let xy = profile.vertex.to_input(triangle.xy.map(|vertex| question.to_model(vertex)));
     let triangle = model.snap(&scene::Triangle::Lattice { xy, z: triangle.z }).ok()?;
     let mut drawing = Drawing::default();
     let drawn = model.draw(&triangle, &mut drawing).map_err(PrimitiveError::from);

@@ -27,6 +27,7 @@ pub struct Reference {
     pub triangles: Vec<scene::Triangle>,
     /// The same on the reference grid; `None` where a coordinate has no place there.
     faces: Vec<Option<RealFace>>,
+    /// Bits below the pixel of its integer coordinates.
     sub_pixel: u32,
     depth_max: u64,
 }
@@ -43,7 +44,7 @@ pub struct RealFace {
 impl Reference {
     /// The scene, as loaded for a profile.
     pub fn new(scene: Scene, base: &Profile) -> Self {
-        let (sub_pixel, depth_max) = (base.vertex.sub_pixel, base.depth_max());
+        let (sub_pixel, depth_max) = (base.vertex.input_bits(), base.depth_max());
         let top = real(depth_max.into()).max(1.0);
         let faces = scene.triangles.iter().map(|triangle| {
             let (xy, part) = match triangle {
@@ -103,15 +104,15 @@ impl Reference {
         };
         match given {
             scene::Triangle::Lattice { xy, z }
-                if self.sub_pixel == profile.vertex.sub_pixel && from == to =>
+                if self.sub_pixel == profile.vertex.input_bits() && from == to =>
             {
                 scene::Triangle::Lattice { xy: *xy, z: *z }
             }
             // A finer grid has every point of this one; a code of 64 bits is no real number.
             scene::Triangle::Lattice { xy, z }
-                if from == to && self.sub_pixel < profile.vertex.sub_pixel =>
+                if from == to && self.sub_pixel < profile.vertex.input_bits() =>
             {
-                let finer = 1 << (profile.vertex.sub_pixel - self.sub_pixel);
+                let finer = 1 << (profile.vertex.input_bits() - self.sub_pixel);
                 scene::Triangle::Lattice {
                     xy: xy.map(|v| v.map(|value: i128| value.saturating_mul(finer))),
                     z: *z,
@@ -164,7 +165,7 @@ pub struct Truth {
 }
 
 /// Sample positions on the reference grid.
-pub(super) fn reference_grid(grid: &SampleGrid) -> SampleGrid {
+pub(in crate::measure) fn reference_grid(grid: &SampleGrid) -> SampleGrid {
     let up = REFERENCE_BITS - grid.sub_pixel;
     SampleGrid { offset: grid.offset.map(|value| value << up), sub_pixel: REFERENCE_BITS }
 }

@@ -1,6 +1,6 @@
 //! The bench of a machine that begins at registers: words in, records out. Spec clause `N-2`.
 
-use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
+use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt, cut};
 use crate::case::triangle::{self, Directed, Stimulus};
 use crate::case::{Class, Words};
 use crate::format::Column;
@@ -74,11 +74,7 @@ impl RegisterBench {
         groups.push(Group { class: triangle::SCENE, tests: share.min(scene.len() as u64) });
         groups.push(Group { class: ENDS, tests: each });
         groups.push(Group { class: triangle::RANDOM, tests: share });
-        let mut left = source.count;
-        for group in &mut groups {
-            group.tests = group.tests.min(left);
-            left -= group.tests;
-        }
+        cut(&mut groups, source.count);
         let files = files(&registers);
         let (directed, scene) = (Arc::new(directed), Arc::new(scene));
         let (host, fields) = (Arc::clone(&model), Arc::new(fields));

@@ -3,7 +3,7 @@
 
 mod stimulus;
 
-use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
+use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt, cut};
 use crate::bits::Rounding;
 use crate::case::Class;
 use crate::case::triangle::RANDOM;
@@ -104,11 +104,7 @@ impl ShapeBench {
             .map(|(class, list)| Group { class: *class, tests: list.len() as u64 })
             .collect();
         groups.push(Group { class: RANDOM, tests: source.count / ROWS_PER_TEST });
-        let mut left = source.count;
-        for group in &mut groups {
-            group.tests = group.tests.min(left);
-            left -= group.tests;
-        }
+        cut(&mut groups, source.count);
         let files = files(kind, &model, has_depth);
         Some(Self { kind, has_depth, model, directed, seed: source.seed, files, groups })
     }

@@ -8,7 +8,7 @@ mod quirk;
 mod setup;
 mod word;
 
-use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
+use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt, cut};
 use crate::bits::Event;
 use crate::case::Words;
 use crate::case::triangle::{self, Directed, Stimulus};
@@ -78,12 +78,7 @@ impl TriangleBench {
             .collect();
         groups.push(Group { class: triangle::SCENE, tests: share.min(scene.len() as u64) });
         groups.push(Group { class: triangle::RANDOM, tests: share });
-        // A small set is cut to its size: never more tests than rows were asked for.
-        let mut left = source.count;
-        for group in &mut groups {
-            group.tests = group.tests.min(left);
-            left -= group.tests;
-        }
+        cut(&mut groups, source.count);
         let files = file_specs(&model, draws);
         let (directed, scene) = (Arc::new(directed), Arc::new(scene));
         let (quirk, seed) = (Quirk::None, source.seed);

@@ -163,7 +163,7 @@ fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
         let made = scene::load(name, &model.viewport()).ok()?;
         let snapped: Vec<Triangle> =
             made.triangles.iter().filter_map(|triangle| model.snap(triangle).ok()).collect();
-        let expected = scene_text(&snapped);
+        let expected = scene_text(&snapped, &manifest.profile.vertex);
         if manifest::sha256(expected.as_bytes()) == manifest.scene.sha256 {
             return first_difference(path, &bytes, expected.as_bytes()).line;
         }

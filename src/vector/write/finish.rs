@@ -6,7 +6,7 @@ use crate::format::Clamp;
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
 use crate::scene::{self, lines};
-use crate::setup::{Division, Triangle};
+use crate::setup::{Division, Triangle, VertexConfig};
 use crate::value::StartBias;
 use crate::vector::bench::Bench;
 use crate::vector::emit::Emitted;
@@ -20,10 +20,11 @@ use std::io::{Error, Result, Write};
 use std::path::Path;
 
 /// The scene file: triangles on the profile's grid, in `eval`'s form.
-pub fn scene_text(scene: &[Triangle]) -> String {
+pub fn scene_text(scene: &[Triangle], vertex: &VertexConfig) -> String {
     let mut text = String::new();
     for (id, triangle) in scene.iter().enumerate() {
-        let lattice = scene::Triangle::Lattice { xy: triangle.xy, z: triangle.z };
+        let xy = vertex.to_input(triangle.xy);
+        let lattice = scene::Triangle::Lattice { xy, z: triangle.z };
         text.push_str(&lines::to_line(id as u64, &lattice));
         text.push('\n');
     }
@@ -41,7 +42,7 @@ pub fn companions(
 ) -> Vec<(String, String)> {
     let mut list = vec![
         ("profile.toml".to_owned(), profile.to_toml()),
-        ("scene.jsonl".to_owned(), scene_text(scene)),
+        ("scene.jsonl".to_owned(), scene_text(scene, &profile.vertex)),
     ];
     // The benches read the golden form only.
     if format == RowFormat::Tv && !zstd {
