@@ -73,7 +73,7 @@ pub(crate) fn lines_up(_: &str) {
     good(&set.folder, "vvp", &["-n", "sim.vvp", "+vcd=bench.vcd"]);
     // The first walk of the bench; its class is the first of the set.
     let manifest: serde_json::Value = serde_json::from_str(&set.read("manifest.json")).unwrap();
-    for (bench, scope) in [("dda", "dda"), ("edge", "edge_v")] {
+    let both = |bench: &str, scope: &str| {
         let groups = manifest["groups"].as_array().unwrap();
         let first = groups.iter().find(|group| group["bench"] == bench).unwrap();
         let test = format!("{bench}/{}/0", first["tag"].as_str().unwrap());
@@ -81,7 +81,10 @@ pub(crate) fn lines_up(_: &str) {
             format!("trace sgi-4k --scene triangle --count 300 --test {test} --vcd trace.vcd");
         run_in(&set.folder, &trace).ends(0);
         let theirs = signals(&set.folder.join("bench.vcd"), &["tb", scope]);
-        let ours = signals(&set.folder.join("trace.vcd"), &[scope]);
+        (theirs, signals(&set.folder.join("trace.vcd"), &[scope]))
+    };
+    for (bench, scope) in [("dda", "dda"), ("edge", "edge_v")] {
+        let (theirs, ours) = both(bench, scope);
         assert!(ours.len() >= 6, "{ours:?}");
         let rows = ours["op"].1.len();
         assert!(rows > 3);
@@ -96,14 +99,7 @@ pub(crate) fn lines_up(_: &str) {
     // Streams keep their own time: the words of a record stand together when it is answered, and those of
     // samples come in the trace's order.
     for (bench, key) in [("setup", "e0"), ("triangle", "z")] {
-        let groups = manifest["groups"].as_array().unwrap();
-        let first = groups.iter().find(|group| group["bench"] == bench).unwrap();
-        let test = format!("{bench}/{}/0", first["tag"].as_str().unwrap());
-        let trace =
-            format!("trace sgi-4k --scene triangle --count 300 --test {test} --vcd trace.vcd");
-        run_in(&set.folder, &trace).ends(0);
-        let theirs = signals(&set.folder.join("bench.vcd"), &["tb", bench]);
-        let ours = signals(&set.folder.join("trace.vcd"), &[bench]);
+        let (theirs, ours) = both(bench, bench);
         assert!(ours.len() >= 12 && ours.contains_key(key), "{ours:?}");
         for (name, (width, words)) in ours.iter().filter(|(name, _)| *name != "clk") {
             // The number of a test is the bench's own, and no device counts the events of unwrapped values.
