@@ -1,4 +1,4 @@
-//! The devices of `tests/hdl/rtl` and the generated benches in real simulators. A trial whose
+//! The devices of `hdl` and the generated benches in real simulators. A trial whose
 //! simulator is missing counts as ignored.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 

@@ -1,27 +1,27 @@
-//! The built-in profiles: the TOML files of `spec/profiles`, compiled in.
+//! The built-in profiles: the TOML files of `profiles`, compiled in.
 
 use super::Profile;
 use super::load::{ProfileError, parse};
 
 /// Name and text of each built-in profile; the first is the default.
 pub const BUILTIN: [(&str, &str); 17] = [
-    ("sgi-4k", include_str!("../../spec/profiles/sgi-4k.toml")),
-    ("sgi-4k-walk", include_str!("../../spec/profiles/sgi-4k-walk.toml")),
-    ("d3d11", include_str!("../../spec/profiles/d3d11.toml")),
-    ("tiny", include_str!("../../spec/profiles/tiny.toml")),
-    ("larrabee", include_str!("../../spec/profiles/larrabee.toml")),
-    ("vulkan-8bit", include_str!("../../spec/profiles/vulkan-8bit.toml")),
-    ("vulkan-8bit-4x", include_str!("../../spec/profiles/vulkan-8bit-4x.toml")),
-    ("vulkan-4bit", include_str!("../../spec/profiles/vulkan-4bit.toml")),
-    ("vulkan-4bit-4x", include_str!("../../spec/profiles/vulkan-4bit-4x.toml")),
-    ("ps1", include_str!("../../spec/profiles/ps1.toml")),
-    ("ps1-rtl", include_str!("../../spec/profiles/ps1-rtl.toml")),
-    ("vortex", include_str!("../../spec/profiles/vortex.toml")),
-    ("psp", include_str!("../../spec/profiles/psp.toml")),
-    ("voodoo", include_str!("../../spec/profiles/voodoo.toml")),
-    ("virge", include_str!("../../spec/profiles/virge.toml")),
-    ("n64", include_str!("../../spec/profiles/n64.toml")),
-    ("n64-rtl", include_str!("../../spec/profiles/n64-rtl.toml")),
+    ("sgi-4k", include_str!("../../profiles/sgi-4k.toml")),
+    ("sgi-4k-walk", include_str!("../../profiles/sgi-4k-walk.toml")),
+    ("d3d11", include_str!("../../profiles/d3d11.toml")),
+    ("tiny", include_str!("../../profiles/tiny.toml")),
+    ("larrabee", include_str!("../../profiles/larrabee.toml")),
+    ("vulkan-8bit", include_str!("../../profiles/vulkan-8bit.toml")),
+    ("vulkan-8bit-4x", include_str!("../../profiles/vulkan-8bit-4x.toml")),
+    ("vulkan-4bit", include_str!("../../profiles/vulkan-4bit.toml")),
+    ("vulkan-4bit-4x", include_str!("../../profiles/vulkan-4bit-4x.toml")),
+    ("ps1", include_str!("../../profiles/ps1.toml")),
+    ("ps1-rtl", include_str!("../../profiles/ps1-rtl.toml")),
+    ("vortex", include_str!("../../profiles/vortex.toml")),
+    ("psp", include_str!("../../profiles/psp.toml")),
+    ("voodoo", include_str!("../../profiles/voodoo.toml")),
+    ("virge", include_str!("../../profiles/virge.toml")),
+    ("n64", include_str!("../../profiles/n64.toml")),
+    ("n64-rtl", include_str!("../../profiles/n64-rtl.toml")),
 ];
 
 /// The built-in profile of this name.

@@ -55,7 +55,7 @@ fn passes(folder: &Path, (program, arguments): (&str, &[&str])) -> u64 {
 }
 
 pub(crate) fn lint_clean(verilator: &str) {
-    let rtl = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/rtl");
+    let rtl = Path::new(env!("CARGO_MANIFEST_DIR")).join("hdl");
     let files = [
         "dda",
         "edge_stepper",

@@ -10,7 +10,7 @@ use crate::set::good;
 /// Look-up tables and flip-flops of a device with its parameters.
 fn cells(module: &str, parameters: &str) -> [u32; 2] {
     let home = tempfile::tempdir().unwrap();
-    let device = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/hdl/rtl/{module}.sv"));
+    let device = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("hdl/{module}.sv"));
     let script = format!(
         "read_verilog -sv {}; chparam {parameters} {module}; synth -flatten -noabc -top {module}; \
          abc -lut 4; opt_clean; stat",

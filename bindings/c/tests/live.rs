@@ -69,7 +69,7 @@ fn c(compiler: &str) {
 fn verilator(verilator: &str) {
     let home = tempfile::tempdir().unwrap();
     let archive = library("libguardbit_c.a").display().to_string();
-    let files = ["dpi/guardbit_dpi.sv", "../../tests/hdl/rtl/dda.sv", "dpi/live.sv"].map(here);
+    let files = ["dpi/guardbit_dpi.sv", "../../hdl/dda.sv", "dpi/live.sv"].map(here);
     let [package, device, bench] = &files;
     let options = ["--binary", "-O3", "-Wno-fatal", "--top-module", "live", "-j", "2", "-o", "sim"];
     let rest = [package, device, bench, &*archive, "-LDFLAGS", "-lpthread -ldl"];
@@ -96,7 +96,7 @@ fn icarus(_: &str) {
     let link = [&*format!("-L{folder}"), "-lguardbit_c"].map(str::to_owned);
     let link: Vec<&str> = link.iter().map(String::as_str).collect();
     good(home.path(), "iverilog-vpi", &[&options[..], &link].concat());
-    let files = ["../../tests/hdl/rtl/dda.sv", "vpi/live.sv"].map(here);
+    let files = ["../../hdl/dda.sv", "vpi/live.sv"].map(here);
     good(home.path(), "iverilog", &["-g2012", "-o", "sim.vvp", &files[0], &files[1]]);
     let ran = Command::new("vvp")
         .args(["-n", "-M.", "-mguardbit", "sim.vvp"])
@@ -116,7 +116,7 @@ fn ghdl(ghdl: &str) {
     std::os::unix::fs::symlink(library("libguardbit_c.so"), home.path().join("libguardbit_c.so"))
         .unwrap();
     let files =
-        ["../../tests/hdl/rtl/dda.vhd", "vhpi/guardbit_vhpi.vhd", "vhpi/live.vhd"].map(here);
+        ["../../hdl/dda.vhd", "vhpi/guardbit_vhpi.vhd", "vhpi/live.vhd"].map(here);
     let [device, package, bench] = &files;
     good(home.path(), ghdl, &["-a", "--std=08", device, package, bench]);
     good(home.path(), ghdl, &["-e", "--std=08", "live"]);

@@ -1,4 +1,4 @@
-//! The devices of `tests/hdl/rtl` with a set's parameters as their defaults.
+//! The devices of `hdl` with a set's parameters as their defaults.
 
 use super::template::mode;
 use super::{ClampParameters, SetupParameters};
@@ -20,13 +20,13 @@ const fn vhdl(text: &'static str) -> Source {
 /// A device in SystemVerilog by the name of its module.
 pub(super) fn module(name: &str, values: &[(&str, i128)]) -> String {
     let text = match name {
-        "dda" => include_str!("../../../tests/hdl/rtl/dda.sv"),
-        "edge_stepper" => include_str!("../../../tests/hdl/rtl/edge_stepper.sv"),
-        "edge_evaluator" => include_str!("../../../tests/hdl/rtl/edge_evaluator.sv"),
-        "depth_evaluator" => include_str!("../../../tests/hdl/rtl/depth_evaluator.sv"),
-        "setup_divider" => include_str!("../../../tests/hdl/rtl/setup_divider.sv"),
-        "triangle_setup" => include_str!("../../../tests/hdl/rtl/triangle_setup.sv"),
-        "triangle_engine" => include_str!("../../../tests/hdl/rtl/triangle_engine.sv"),
+        "dda" => include_str!("../../../hdl/dda.sv"),
+        "edge_stepper" => include_str!("../../../hdl/edge_stepper.sv"),
+        "edge_evaluator" => include_str!("../../../hdl/edge_evaluator.sv"),
+        "depth_evaluator" => include_str!("../../../hdl/depth_evaluator.sv"),
+        "setup_divider" => include_str!("../../../hdl/setup_divider.sv"),
+        "triangle_setup" => include_str!("../../../hdl/triangle_setup.sv"),
+        "triangle_engine" => include_str!("../../../hdl/triangle_engine.sv"),
         _ => "",
     };
     systemverilog(text).with(values)
@@ -35,8 +35,8 @@ pub(super) fn module(name: &str, values: &[(&str, i128)]) -> String {
 /// A device in VHDL by the name of its entity.
 pub(super) fn entity(name: &str, values: &[(&str, i128)]) -> String {
     let text = match name {
-        "dda" => include_str!("../../../tests/hdl/rtl/dda.vhd"),
-        "edge_stepper" => include_str!("../../../tests/hdl/rtl/edge_stepper.vhd"),
+        "dda" => include_str!("../../../hdl/dda.vhd"),
+        "edge_stepper" => include_str!("../../../hdl/edge_stepper.vhd"),
         _ => "",
     };
     vhdl(text).with(values)
