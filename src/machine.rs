@@ -36,22 +36,22 @@ pub use traversed::Traversed;
 
 use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid, Segment};
-use crate::setup::{ClipTriangle, Polygon, Triangle};
+use crate::setup::{ClipTriangle, Polygon, Snapped, Triangle, VertexField};
 
 /// One primitive, as a machine takes it.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum Input<'a> {
     /// A triangle on the profile's sub-pixel grid.
-    Triangle(&'a Triangle),
+    Triangle(&'a Snapped<Triangle>),
     /// A triangle that is neither projected nor clipped.
     Clip(&'a ClipTriangle),
     /// A polygon of three or more vertices, convex or not.
-    Polygon(&'a Polygon),
+    Polygon(&'a Snapped<Polygon>),
     /// A line from one end to the other, in sub-pixels.
-    Line(&'a Segment),
+    Line(&'a Snapped<Segment>),
     /// A point, in sub-pixels.
-    Point(&'a [i128; 2]),
+    Point(&'a Snapped<[i128; 2]>),
     /// Registers, as a machine that begins there takes them.
     Words(&'a [u32]),
 }
@@ -69,14 +69,41 @@ impl Input<'_> {
         }
     }
 
+    /// The field that its coordinates were checked against. Homogeneous vertices and registers are
+    /// checked by the machine, which alone knows their ranges.
+    pub(crate) const fn field(&self) -> Option<&VertexField> {
+        match self {
+            Self::Triangle(shape) => Some(shape.field()),
+            Self::Polygon(shape) => Some(shape.field()),
+            Self::Line(shape) => Some(shape.field()),
+            Self::Point(shape) => Some(shape.field()),
+            Self::Clip(_) | Self::Words(_) => None,
+        }
+    }
+
     /// The triangle of a machine that draws nothing else.
-    fn triangle(&self) -> Result<&Triangle, DrawError> {
+    fn triangle(&self) -> Result<&Snapped<Triangle>, DrawError> {
         match self {
             Self::Triangle(triangle) => Ok(triangle),
             other => Err(DrawError::Primitive(other.name())),
         }
     }
 }
+
+macro_rules! inputs {
+    ($($variant:ident $shape:ty),*) => {$(
+        impl<'a> From<&'a $shape> for Input<'a> {
+            fn from(shape: &'a $shape) -> Self {
+                Self::$variant(shape)
+            }
+        }
+    )*};
+}
+
+inputs!(
+    Triangle Snapped<Triangle>, Clip ClipTriangle, Polygon Snapped<Polygon>, Line Snapped<Segment>,
+    Point Snapped<[i128; 2]>, Words [u32]
+);
 
 /// Why a primitive was refused. Numeric events are data; this is not one of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -92,6 +119,19 @@ pub enum DrawError {
     /// The machine draws other primitives.
     #[error("this profile's machine does not draw {0}")]
     Primitive(&'static str),
+    /// A primitive that was checked against the vertex field of another profile.
+    #[error(
+        "the primitive was made for another vertex field: {} <= x, y <= {} at {} sub-pixel bits and z <= {}; \
+         this profile has {} <= x, y <= {} at {} sub-pixel bits and z <= {}; snap it with the model that draws it",
+        .got.range().0, .got.range().1, .got.sub_pixel(), .got.depth_max(),
+        .need.range().0, .need.range().1, .need.sub_pixel(), .need.depth_max()
+    )]
+    Foreign {
+        /// The model's field.
+        need: VertexField,
+        /// The primitive's.
+        got: VertexField,
+    },
     /// Another number of words.
     #[error("{got} words are given, and this machine takes {need}")]
     Words {

@@ -2,14 +2,16 @@
 //! door for `eval`, vectors, rendering and bindings.
 
 mod fill;
+mod primitive;
 mod record;
 mod walk;
 
 pub use fill::Raster;
+pub use primitive::{Primitive, PrimitiveError};
 pub use record::{Drawing, Records, Span};
 pub use walk::Walk;
 
-use crate::cover::{Rect, SampleGrid, Segment};
+use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
 use crate::machine::{
     Barycentric, DrawError, EdgeFunction, EdgeWalk, EnginePerPixel, Gouraud, Homogeneous, Input,
@@ -17,7 +19,7 @@ use crate::machine::{
 };
 use crate::profile::{Form, InvalidProfile, Profile};
 use crate::scene;
-use crate::setup::{ClipTriangle, Polygon, Triangle, VertexError};
+use crate::setup::{Triangle, VertexField};
 use crate::value::Depth;
 
 /// The version of the model: raised by any change of an emitted bit, and named in the CHANGELOG.
@@ -27,6 +29,7 @@ pub const MODEL_VERSION: u32 = 1;
 #[derive(Debug)]
 pub struct Model {
     profile: Profile,
+    field: VertexField,
     clip: Rect,
     machine: Box<dyn Machine>,
     lines: Lines,
@@ -44,17 +47,6 @@ pub struct View {
     pub scissor: Option<Rect>,
     /// Processor level; the best by default.
     pub processor: Processor,
-}
-
-/// Why a primitive was not drawn.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum PrimitiveError {
-    /// A vertex lies outside its field.
-    #[error(transparent)]
-    Vertex(#[from] VertexError),
-    /// The machine refused it.
-    #[error(transparent)]
-    Draw(#[from] DrawError),
 }
 
 impl Model {
@@ -96,7 +88,8 @@ impl Model {
         let (line, point) = (profile.line.unwrap_or_default(), profile.point.unwrap_or_default());
         let lines = Lines::new(line, point, &vertex, target);
         let quick = fill::Quick::new(&profile, depth);
-        Ok(Self { profile, clip, machine, lines, depth, grid: target.grid, quick })
+        let field = VertexField::new(&vertex, profile.depth_max())?;
+        Ok(Self { profile, field, clip, machine, lines, depth, grid: target.grid, quick })
     }
 
     /// The profile, with the window in force.
@@ -134,89 +127,47 @@ impl Model {
         }
     }
 
-    /// Brings a scene's triangle to the profile's grid: integers are checked, reals are snapped.
-    /// Depth is dropped where the profile has none.
+    /// Draws a primitive that this model made ready, by whichever machine draws its kind.
     ///
     /// # Errors
-    /// [`PrimitiveError`] for a vertex outside the field: never a wrap.
-    pub fn snap(&self, triangle: &scene::Triangle) -> Result<Triangle, PrimitiveError> {
-        let vertex = &self.profile.vertex;
-        let depth_range = (0, i128::from(self.profile.depth_max()));
-        let mut xy = [[0; 2]; 3];
-        let mut depths = [0; 3];
-        let has_depth = match triangle {
-            scene::Triangle::Lattice { xy: from, z } => {
-                for (n, point) in from.iter().enumerate() {
-                    for (axis, value) in point.iter().enumerate() {
-                        xy[n][axis] = vertex.accept(n, axis, *value)?;
-                    }
-                }
-                let z = z.filter(|_| self.profile.depth.is_some());
-                for (n, value) in z.iter().flatten().enumerate() {
-                    depths[n] = in_depth(n, *value, depth_range)?;
-                }
-                z.is_some()
-            }
-            scene::Triangle::Real { xy: from, z } => {
-                for (n, point) in from.iter().enumerate() {
-                    for (axis, value) in point.iter().enumerate() {
-                        xy[n][axis] =
-                            vertex.snap((n, axis), *value, vertex.sub_pixel, vertex.range())?;
-                    }
-                }
-                let z = z.filter(|_| self.profile.depth.is_some());
-                for (n, value) in z.iter().flatten().enumerate() {
-                    depths[n] = vertex.snap((n, 2), *value, 0, depth_range)?;
-                }
-                z.is_some()
-            }
-        };
-        Ok(Triangle { xy, z: has_depth.then_some(depths) })
-    }
-
-    /// Draws a triangle of the profile's grid.
-    ///
-    /// # Errors
-    /// [`DrawError`] if the profile refuses what happened.
-    pub fn draw(&self, triangle: &Triangle, out: &mut dyn Sink) -> Result<(), DrawError> {
-        self.machine.draw(&Input::Triangle(triangle), out)
-    }
-
-    /// Draws a triangle of homogeneous vertices, on a machine that takes them.
-    ///
-    /// # Errors
-    /// [`DrawError`] if the machine does not, or refuses what happened.
-    pub fn draw_clip(&self, triangle: &ClipTriangle, out: &mut dyn Sink) -> Result<(), DrawError> {
-        self.machine.draw(&Input::Clip(triangle), out)
-    }
-
-    /// Integer coordinates in sub-pixels, snapped in their place where the profile's lattice is finer.
-    ///
-    /// # Errors
-    /// [`PrimitiveError`] for a coordinate outside the field: never a wrap.
-    pub fn accept(&self, points: &mut [[i128; 2]]) -> Result<(), PrimitiveError> {
-        for (n, point) in points.iter_mut().enumerate() {
-            for (axis, value) in point.iter_mut().enumerate() {
-                *value = self.profile.vertex.accept(n, axis, *value)?;
-            }
+    /// [`DrawError`] if it was made for another vertex field, if the machine does not draw its kind,
+    /// or if the profile refuses what happened.
+    pub fn draw<'a>(
+        &self,
+        primitive: impl Into<Input<'a>>,
+        out: &mut dyn Sink,
+    ) -> Result<(), DrawError> {
+        let input = primitive.into();
+        self.check(input.field())?;
+        match input {
+            Input::Line(_) | Input::Point(_) => self.lines.draw(&input, out),
+            _ => self.machine.draw(&input, out),
         }
-        Ok(())
     }
 
-    /// Draws a line by the profile's rule.
-    ///
-    /// # Errors
-    /// None today; as the other primitives.
-    pub fn draw_line(&self, line: &Segment, out: &mut dyn Sink) -> Result<(), DrawError> {
-        self.lines.draw(&Input::Line(line), out)
+    /// Draws a primitive of our own making, which only its numbers can make the profile refuse: then
+    /// nothing is drawn, and that is the answer. Returns whether it was drawn.
+    pub(crate) fn draw_own<'a>(&self, primitive: impl Into<Input<'a>>, out: &mut dyn Sink) -> bool {
+        match self.draw(primitive, out) {
+            Ok(()) => true,
+            Err(DrawError::GuardRange { .. } | DrawError::Range { .. }) => false,
+            Err(error) => unreachable!("a primitive made for this model: {error}"),
+        }
     }
 
-    /// Draws a point by the profile's rule.
-    ///
-    /// # Errors
-    /// None today; as the other primitives.
-    pub fn draw_point(&self, point: &[i128; 2], out: &mut dyn Sink) -> Result<(), DrawError> {
-        self.lines.draw(&Input::Point(point), out)
+    /// Refuses what was checked against another field.
+    fn check(&self, field: Option<&VertexField>) -> Result<(), DrawError> {
+        match field {
+            Some(got) if !self.field.takes(got) => {
+                Err(DrawError::Foreign { need: self.field, got: *got })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// What coordinates of this model's primitives may be.
+    pub fn field(&self) -> &VertexField {
+        &self.field
     }
 
     /// The words of lines and points.
@@ -233,22 +184,6 @@ impl Model {
     /// or more, none for what is not drawn.
     pub fn host(&self, triangle: &Triangle) -> Vec<Vec<u32>> {
         self.machine.host(triangle)
-    }
-
-    /// Draws what registers say, on a machine that begins there: records go to [`Sink::record`].
-    ///
-    /// # Errors
-    /// [`DrawError`] if the machine does not, or takes another number of words.
-    pub fn draw_words(&self, words: &[u32], out: &mut dyn Sink) -> Result<(), DrawError> {
-        self.machine.draw(&Input::Words(words), out)
-    }
-
-    /// Draws a polygon, on a machine that takes polygons.
-    ///
-    /// # Errors
-    /// [`DrawError`] if the machine does not, or refuses what happened.
-    pub fn draw_polygon(&self, polygon: &Polygon, out: &mut dyn Sink) -> Result<(), DrawError> {
-        self.machine.draw(&Input::Polygon(polygon), out)
     }
 }
 
@@ -283,12 +218,4 @@ fn build(
         Form::Scanline(machine) => Box::new(Scanline::new(machine, depth, vertex, target)),
         Form::Registers(ref machine) => Box::new(machine.machine(vertex, target)?),
     })
-}
-
-fn in_depth(vertex: usize, value: i128, (low, high): (i128, i128)) -> Result<i128, VertexError> {
-    if (low..=high).contains(&value) {
-        Ok(value)
-    } else {
-        Err(VertexError::Outside { form: 'v', vertex, axis: 2, value, low, high })
-    }
 }

@@ -14,6 +14,7 @@ pub mod camera;
 mod lens;
 pub mod lines;
 pub mod mesh;
+mod primitive;
 mod sine;
 
 use std::path::Path;
@@ -22,6 +23,7 @@ pub use builtin::builtin_names;
 pub use lens::Lens;
 use lines::LineError;
 use mesh::MeshError;
+pub use primitive::Primitive;
 
 /// Where a scene lands.
 ///

@@ -8,6 +8,7 @@ mod plane;
 mod polygon;
 mod quad;
 mod snap;
+mod snapped;
 mod triangle;
 
 pub use clip::{ClipSetup, ClipTriangle, Linear, linear_at};
@@ -16,5 +17,6 @@ pub use edge::{EdgeCoefficients, edges};
 pub use plane::{Gradient, Plane};
 pub use polygon::Polygon;
 pub use quad::Diagonal;
-pub use snap::{Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed};
+pub use snap::{Coordinate, Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed};
+pub use snapped::{Shape, Snapped, VertexField};
 pub use triangle::Triangle;

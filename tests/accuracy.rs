@@ -90,7 +90,7 @@ fn stage_of(triangles: Vec<scene::Triangle>, lens: Option<Lens>, base: &Profile)
 }
 
 fn snapped(model: &Model, triangles: &[scene::Triangle]) -> Vec<Triangle> {
-    triangles.iter().map(|triangle| model.snap(triangle).unwrap()).collect()
+    triangles.iter().map(|triangle| *model.snap(triangle).unwrap()).collect()
 }
 
 fn real(value: &exact::Rational) -> f64 {
@@ -120,7 +120,7 @@ fn arithmetic_errors_are_those_of_every_sample() {
         let (mut missing, mut extra) = (0, 0);
         let mut surplus: BTreeMap<(u32, u32), i32> = BTreeMap::new();
         for triangle in snapped(&model, &given) {
-            triangle_error(&model, &triangle, |x, y, error| match error {
+            triangle_error(&model, &model.place(triangle).unwrap(), |x, y, error| match error {
                 SampleError::Missing => {
                     missing += 1;
                     *surplus.entry((x, y)).or_default() -= 1;
@@ -184,7 +184,7 @@ fn wraps_and_clamps_are_the_events_of_the_model() {
         let model = Model::new(&profile).unwrap();
         let mut drawing = Drawing::default();
         for triangle in snapped(&model, &given) {
-            model.draw(&triangle, &mut drawing).unwrap();
+            model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
         }
         let events = drawing.events.total;
         assert_eq!(tally.wraps, events.count(Event::Wrap), "{profile:?}");
@@ -201,7 +201,7 @@ fn layers(profile: &Profile, given: &[scene::Triangle]) -> BTreeMap<(u32, u32), 
     let mut layers: BTreeMap<(u32, u32), Vec<Layer>> = BTreeMap::new();
     for triangle in snapped(&model, given) {
         let mut drawing = Drawing::default();
-        model.draw(&triangle, &mut drawing).unwrap();
+        model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
         let mut codes = drawing.depth.iter();
         for span in &drawing.spans {
             for x in span.x0..span.x1 {

@@ -14,7 +14,7 @@ use guardbit::measure::resolution::Scale;
 use guardbit::model::{Drawing, Model};
 use guardbit::profile::{WindowConfig, load, parse};
 use guardbit::scene::{self, Lens};
-use guardbit::setup::{Plane, Triangle};
+use guardbit::setup::{Plane, Snapped, Triangle};
 use guardbit::value::{Compare, DepthBias, DepthBuffer, DepthFormat};
 
 fn toys() -> Vec<DepthFormat> {
@@ -162,7 +162,7 @@ fn a_profile_stores_its_format() {
     };
     let plain = Model::new(&base).unwrap();
     let mut held = Held(Vec::new());
-    plain.draw(&triangle, &mut held).unwrap();
+    plain.draw(&plain.place(triangle).unwrap(), &mut held).unwrap();
     for name in DepthFormat::NAMES {
         let mut profile = base.clone();
         let format = DepthFormat::named(name, 20, 50).unwrap();
@@ -171,7 +171,7 @@ fn a_profile_stores_its_format() {
         let model = Model::new(&profile).unwrap();
         assert_eq!(model.ports().depth.as_ref().unwrap().width, 20);
         let mut drawing = Drawing::default();
-        model.draw(&triangle, &mut drawing).unwrap();
+        model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
         assert_eq!(drawing.depth.len(), held.0.len());
         for (code, held) in drawing.depth.iter().zip(&held.0) {
             let v = ratio(*held, ((1 << 24) - 1) << 13).unwrap();
@@ -231,14 +231,14 @@ fn the_depth_buffer_does_not_depend_on_the_order() {
         profile.depth.as_mut().unwrap().format = Some(format);
         let model = Model::new(&profile).unwrap();
         let scene = scene::load("knot", &model.viewport()).unwrap();
-        let triangles: Vec<Triangle> =
+        let triangles: Vec<Snapped<Triangle>> =
             scene.triangles.iter().map(|triangle| model.snap(triangle).unwrap()).collect();
         let (compare, clear) = if format.is_reversed() {
             (Compare::Greater, 0)
         } else {
             (Compare::Less, format.maximum())
         };
-        let draw = |order: &mut dyn Iterator<Item = &Triangle>| {
+        let draw = |order: &mut dyn Iterator<Item = &Snapped<Triangle>>| {
             let mut buffer = DepthBuffer::new(window, compare, clear);
             order.for_each(|triangle| model.draw(triangle, &mut buffer).unwrap());
             buffer

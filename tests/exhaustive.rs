@@ -215,7 +215,9 @@ fn masks(model: &Model) -> Vec<u16> {
                     let (a, rest) = (index / VERTICES / VERTICES, index % (VERTICES * VERTICES));
                     let xy = [at(a), at(rest / VERTICES), at(rest % VERTICES)];
                     drawing.clear();
-                    model.draw(&Triangle { xy, z: None }, &mut drawing).unwrap();
+                    model
+                        .draw(&model.place(Triangle { xy, z: None }).unwrap(), &mut drawing)
+                        .unwrap();
                     for span in &drawing.spans {
                         for x in span.x0..span.x1 {
                             *mask |= 1 << (span.y * 4 + x);

@@ -2,17 +2,22 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::bits::{Bits, Event, Rounding, RunTime, WidthError, Word};
-use guardbit::cover::{EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleGrid};
+use guardbit::cover::{
+    Bitmask, EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleGrid,
+};
 use guardbit::format::{Clamp, QFormat, QFormatError, ReadOut, ReadOutError};
 use guardbit::machine::DrawError;
-use guardbit::model::{Drawing, Model, PrimitiveError, View};
+use guardbit::model::{Drawing, Model, Raster, View};
 use guardbit::profile::{Form, InvalidProfile, Profile, WindowConfig, load};
 use guardbit::scene;
-use guardbit::setup::{Division, DivisionError, Triangle, VertexError, snap_f64};
+use guardbit::setup::{
+    Coordinate, Division, DivisionError, Triangle, VertexError, VertexField, snap_f64,
+};
 
 fn draw(profile: &Profile, view: View, triangle: Triangle) -> Drawing {
     let mut drawing = Drawing::default();
-    Model::with_view(profile, view).unwrap().draw(&triangle, &mut drawing).unwrap();
+    let model = Model::with_view(profile, view).unwrap();
+    model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
     drawing
 }
 
@@ -246,8 +251,13 @@ fn the_smallest_case_that_needs_a_guard_bit() {
     // With two guard bits nothing left the range; without one the primitive is refused at A.
     assert_eq!(first(Clamp::Error), 0);
     profile.depth.as_mut().unwrap().guard = 0;
-    let drawn = Model::new(&profile).unwrap().draw(&t, &mut Drawing::default());
+    let model = Model::new(&profile).unwrap();
+    let drawn = model.draw(&model.place(t).unwrap(), &mut Drawing::default());
     assert_eq!(drawn, Err(DrawError::GuardRange { x: 5, y: 0 }));
+}
+
+fn at(key: &'static str, vertex: usize, axis: usize) -> Coordinate {
+    Coordinate { key, vertex: Some(vertex), axis }
 }
 
 fn lattice(xy: [[i128; 2]; 3], z: Option<[i128; 3]>) -> scene::Triangle {
@@ -267,19 +277,23 @@ fn vertices_outside_name_their_field() {
         let mut xy = xy;
         xy[vertex][axis] = value;
         let error = sgi.snap(&lattice(xy, None)).unwrap_err();
-        let expected = VertexError::Outside { form: 'v', vertex, axis, value, low: 0, high: end };
-        assert_eq!(error, PrimitiveError::Vertex(expected));
+        let expected =
+            VertexError::Outside { coordinate: at("v", vertex, axis), value, low: 0, high: end };
+        assert_eq!(error, expected);
         assert_eq!(
             error.to_string(),
-            format!("v[{vertex}][{axis}] = {value} is outside the vertex field: 0 <= v <= {end}")
+            format!(
+                "v[{vertex}][{axis}] = {value} is outside the vertex field: 0 <= {} <= {end}",
+                ["x", "y"][axis]
+            )
         );
     }
     for (vertex, value) in [(0, -1), (2, 1 << 24)] {
         let mut z = [0; 3];
         z[vertex] = value;
         let (low, high) = (0, (1 << 24) - 1);
-        let expected = VertexError::Outside { form: 'v', vertex, axis: 2, value, low, high };
-        assert_eq!(sgi.snap(&lattice(xy, Some(z))), Err(PrimitiveError::Vertex(expected)));
+        let expected = VertexError::Outside { coordinate: at("v", vertex, 2), value, low, high };
+        assert_eq!(sgi.snap(&lattice(xy, Some(z))), Err(expected));
     }
     // A half-open field: its upper end is outside.
     let (low, high) = (-32768 * 256, 32768 * 256 - 1);
@@ -326,8 +340,8 @@ fn reals_beyond_every_word() {
         [(f64::NAN, "NaN"), (f64::INFINITY, "infinite"), (1e300, "too large for any word")]
     {
         let (vertex, axis) = (1, 0);
-        let expected = VertexError::NotFinite { vertex, axis, what };
-        assert_eq!(sgi.snap(&real(value, 0.0)), Err(PrimitiveError::Vertex(expected)));
+        let expected = VertexError::NotFinite { coordinate: at("f", vertex, axis), what };
+        assert_eq!(sgi.snap(&real(value, 0.0)), Err(expected));
     }
     // The smallest subnormal and the smallest normal number are what they are.
     let exact = |bits, fraction| snap_f64(f64::from_bits(bits), fraction, Rounding::Floor);
@@ -358,4 +372,41 @@ fn the_smallest_and_the_longest_windows() {
         let drawing = draw(&load("tiny").unwrap(), view, t);
         assert_eq!((drawing.samples(), drawing.depth.len()), (0, 0));
     }
+}
+
+/// What lies outside the vertex field is no triangle of a model: not in `draw`, not in `cover`, and
+/// not by way of another model.
+#[test]
+fn nothing_outside_the_vertex_field_reaches_a_machine() {
+    let sgi = Model::new(&load("sgi-4k").unwrap()).unwrap();
+    let corner = |b: i128| Triangle { xy: [[0, 0], [b, 0], [0, b]], z: None };
+    for bits in [23, 40, 63, 64, 100, 126] {
+        for b in [1 << bits, -(1 << bits)] {
+            let outside =
+                VertexError::Outside { coordinate: at("v", 1, 0), value: b, low: 0, high: 1 << 22 };
+            assert_eq!(sgi.place(corner(b)).unwrap_err(), outside);
+        }
+    }
+    let whole = sgi.place(corner(1 << 22)).unwrap();
+    let (mut drawing, mut mask) = (Drawing::default(), Bitmask::new(sgi.clip()));
+    sgi.draw(&whole, &mut drawing).unwrap();
+    sgi.cover(&whole, &mut mask).unwrap();
+    // Samples strictly inside: row y has those with x + y < 4095, and those on the long edge.
+    assert_eq!((drawing.samples(), mask.count()), (4096 * 4095 / 2, 4096 * 4095 / 2));
+
+    let d3d = Model::new(&load("d3d11").unwrap()).unwrap();
+    let foreign = d3d.place(corner(256)).unwrap();
+    let refused = DrawError::Foreign { need: *sgi.field(), got: *d3d.field() };
+    assert_eq!(sgi.draw(&foreign, &mut drawing), Err(refused));
+    assert_eq!(sgi.cover(&foreign, &mut mask), Err(refused));
+    assert_eq!(sgi.fill(&foreign, &mut Raster::new(sgi.clip())), Err(refused));
+    assert_eq!(
+        refused.to_string(),
+        "the primitive was made for another vertex field: -8388608 <= x, y <= 8388607 at 8 sub-pixel \
+         bits and z <= 16777215; this profile has 0 <= x, y <= 4194304 at 10 sub-pixel bits and z <= \
+         16777215; snap it with the model that draws it"
+    );
+    let mut malformed = sgi.profile().vertex;
+    malformed.integer = 100;
+    assert!(VertexField::new(&malformed, 0).is_err());
 }

@@ -294,7 +294,7 @@ fn register_machines_have_golden_sets() {
             let words: Vec<u32> =
                 words.split('_').map(|word| u32::from_str_radix(word, 16).unwrap()).collect();
             device.test = test;
-            model.draw_words(&words, &mut device).unwrap();
+            model.draw(words.as_slice(), &mut device).unwrap();
         }
         std::fs::write(folder.join("dump.tv"), device.text).unwrap();
         let pixels = if name == "vortex" { "words-q.exp.tv" } else { "words-p.exp.tv" };

@@ -73,7 +73,7 @@ fn exact_spans(profile: &Profile, triangle: &Triangle) -> Vec<Span> {
 
 fn draw(model: &Model, triangle: &Triangle) -> Drawing {
     let mut drawing = Drawing::default();
-    model.draw(triangle, &mut drawing).unwrap();
+    model.draw(&model.place(*triangle).unwrap(), &mut drawing).unwrap();
     drawing
 }
 
@@ -208,7 +208,7 @@ fn inexact_machines_stay_within_their_bounds() {
             let model = Model::new(&profile).unwrap();
             let limit = bound(&profile, &triangle);
             // What would leave the depth range is clamped, and only nearer to the truth for it.
-            triangle_error(&model, &triangle, |x, y, error| match error {
+            triangle_error(&model, &model.place(triangle).unwrap(), |x, y, error| match error {
                 SampleError::Depth(ulp) => {
                     assert!(ulp.abs() <= limit, "{name}: {ulp} > {limit} at {x} {y} {triangle:?}");
                     worst[n] = worst[n].max(ulp.abs() / limit);
@@ -343,9 +343,9 @@ fn a_small_triangle_costs_the_same_in_any_window() {
             profile.window = guardbit::profile::WindowConfig { width: side, height: side };
             let model = Model::new(&profile.with_machine(name).unwrap()).unwrap();
             let mut worked = Worked(guardbit::machine::Work::default());
-            model.draw(&triangle, &mut worked).unwrap();
+            model.draw(&model.place(triangle).unwrap(), &mut worked).unwrap();
             let mut covered = Nothing(0);
-            model.draw(&triangle, &mut covered).unwrap();
+            model.draw(&model.place(triangle).unwrap(), &mut covered).unwrap();
             assert!(covered.0 > 5);
             works.push(worked.0);
         }
@@ -421,7 +421,7 @@ fn bins_over_a_scene_end_in_the_same_depth_buffer() {
     let whole = Model::new(&profile).unwrap();
     let scene = scene::load("knot", &whole.viewport()).unwrap();
     let triangles: Vec<Triangle> =
-        scene.triangles.iter().map(|triangle| whole.snap(triangle).unwrap()).collect();
+        scene.triangles.iter().map(|triangle| *whole.snap(triangle).unwrap()).collect();
     let render = |bins: &[guardbit::cover::Rect]| {
         let mut pixels = vec![(u64::MAX, usize::MAX); 96 * 64];
         for bin in bins {
@@ -468,7 +468,7 @@ fn walked_polygons_cover_what_parity_says() {
         let xy: Vec<[i128; 2]> = (0..4).map(|_| [at(), at()]).collect();
         let polygon = guardbit::setup::Polygon { z: Some(vec![9, 9, 9, 9]), xy: xy.clone() };
         let mut drawing = Drawing::default();
-        model.draw_polygon(&polygon, &mut drawing).unwrap();
+        model.draw(&model.place(polygon).unwrap(), &mut drawing).unwrap();
         for y in 0..16u32 {
             for x in 0..16u32 {
                 let at = [i128::from(x) * 1024 + 512, i128::from(y) * 1024 + 512];
@@ -518,7 +518,7 @@ fn homogeneous_vertices_cover_what_the_eye_sees() {
         let xyw = [vertex(), vertex(), vertex()];
         let triangle = ClipTriangle { xyw, z: None };
         let mut drawing = Drawing::default();
-        model.draw_clip(&triangle, &mut drawing).unwrap();
+        model.draw(&triangle, &mut drawing).unwrap();
         let det3 = |[a, b, c]: [[i128; 3]; 3]| {
             a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
                 + a[2] * (b[0] * c[1] - b[1] * c[0])
@@ -573,7 +573,7 @@ fn shared_homogeneous_edges_have_no_holes_and_no_double_hits() {
         let d = scaled(-20, 13);
         let cover = |xyw| {
             let mut drawing = Drawing::default();
-            model.draw_clip(&ClipTriangle { xyw, z: None }, &mut drawing).unwrap();
+            model.draw(&ClipTriangle { xyw, z: None }, &mut drawing).unwrap();
             drawing.spans
         };
         let mut hits = [0; 16];

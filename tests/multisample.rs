@@ -51,7 +51,8 @@ fn profile(samples: u32, depth: DepthAt, rule: FillRule) -> Profile {
 
 fn drawn(profile: &Profile, triangle: &Triangle) -> Drawing {
     let mut drawing = Drawing::default();
-    Model::new(profile).unwrap().draw(triangle, &mut drawing).unwrap();
+    let model = Model::new(profile).unwrap();
+    model.draw(&model.place(*triangle).unwrap(), &mut drawing).unwrap();
     drawing
 }
 

@@ -75,7 +75,7 @@ fn registers(profile: &str, text: &str) -> Result<(), Failed> {
             expected.clear();
         } else if line.starts_with("D ") {
             let mut got = Lines(&model, Vec::new());
-            model.draw_words(&words, &mut got)?;
+            model.draw(words.as_slice(), &mut got)?;
             if let Some(n) = (0..got.1.len().max(expected.len()))
                 .find(|&n| got.1.get(n).map(String::as_str) != expected.get(n).copied())
             {

@@ -76,13 +76,14 @@ fn bow_ties_are_drawn_by_the_scanline_machine() {
     let p = 1024;
     let xy = vec![[0, 0], [8 * p, 8 * p], [8 * p, 0], [0, 8 * p]];
     let mut drawing = Drawing::default();
-    model.draw_polygon(&Polygon { xy, z: None }, &mut drawing).unwrap();
+    model.draw(&model.place(Polygon { xy, z: None }).unwrap(), &mut drawing).unwrap();
     // Row 1: x from 1.5 and from the other side: [0, 1.5) and (6.5, 8).
     let row: Vec<[u32; 2]> =
         drawing.spans.iter().filter(|span| span.y == 1).map(|span| [span.x0, span.x1]).collect();
     assert_eq!(row, [[0, 1], [6, 8]]);
     let tilted = vec![[0, 0], [p, 0], [0, p]];
-    let refused = model.draw_polygon(&Polygon { xy: tilted, z: Some(vec![1, 2, 3]) }, &mut drawing);
+    let tilted = model.place(Polygon { xy: tilted, z: Some(vec![1, 2, 3]) }).unwrap();
+    let refused = model.draw(&tilted, &mut drawing);
     assert!(refused.unwrap_err().to_string().contains("plane"));
 }
 

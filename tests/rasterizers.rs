@@ -21,7 +21,7 @@ use guardbit::profile::{Profile, parse};
 /// The records that words draw, as values in the engine's order.
 fn records(model: &Model, words: &[u32]) -> Vec<(usize, Vec<i64>)> {
     let mut records = Records::up_to(u64::MAX);
-    model.draw_words(words, &mut records).unwrap();
+    model.draw(words, &mut records).unwrap();
     records.kept
 }
 

@@ -11,7 +11,7 @@ use guardbit::measure::require::{Requirements, require};
 use guardbit::model::{Drawing, Model};
 use guardbit::profile::{Form, Profile, WindowConfig, load};
 use guardbit::scene::{self, Lens, Scene};
-use guardbit::setup::Triangle;
+use guardbit::setup::{Snapped, Triangle};
 
 fn base() -> Profile {
     let mut profile = load("tiny").unwrap();
@@ -72,7 +72,7 @@ fn ranges_and_bits_are_those_of_every_sample() {
                 scene::Triangle::Lattice { xy, z: Some(z) }
             })
             .collect();
-        let triangles: Vec<Triangle> = given
+        let triangles: Vec<Snapped<Triangle>> = given
             .iter()
             .map(|triangle| model.snap(triangle).unwrap())
             .filter(|triangle| triangle.area2() != 0)

@@ -8,7 +8,7 @@ use guardbit::dda::{Op, Walker};
 use guardbit::format::{Clamp, ReadOut};
 use guardbit::model::{Drawing, Model, View};
 use guardbit::profile::{Profile, load};
-use guardbit::setup::{Polygon, Triangle};
+use guardbit::setup::{Coordinate, Polygon, Triangle};
 use std::fmt::Write as _;
 
 /// Value, pattern and read-out of every pattern, lowest value of the guard range first.
@@ -74,7 +74,7 @@ fn setup_words_of(profile: &Profile, triangle: Triangle) -> String {
     let view = View { window: Some((128, 128)), ..View::default() };
     let model = Model::with_view(profile, view).unwrap();
     let mut drawing = Drawing::default();
-    model.draw(&triangle, &mut drawing).unwrap();
+    model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
     let mut text = String::new();
     for (column, word) in model.ports().setup.iter().zip(&drawing.setup) {
         let word = Word::wrapping(RunTime::new(column.width).unwrap(), *word);
@@ -114,7 +114,7 @@ fn picture(profile: &str, size: (u32, u32), triangles: &[[[i128; 2]; 3]]) -> (St
     let mut counts = Vec::new();
     for (letter, xy) in ('a'..).zip(triangles) {
         let mut drawing = Drawing::default();
-        model.draw(&Triangle { xy: *xy, z: None }, &mut drawing).unwrap();
+        model.draw(&model.place(Triangle { xy: *xy, z: None }).unwrap(), &mut drawing).unwrap();
         counts.push(drawing.samples());
         for span in &drawing.spans {
             for cell in &mut cells[span.y as usize][span.x0 as usize..span.x1 as usize] {
@@ -146,8 +146,9 @@ fn the_top_left_rule_of_direct3d() {
         ([[9.5, 7.5], [10.5, 7.5], [9.5, 9.5]], 2),
     ];
     let profile = load("d3d11").unwrap();
+    let origin = Coordinate { key: "f", vertex: Some(0), axis: 0 };
     let lattice = triangles.map(|(xy, _)| {
-        xy.map(|v| v.map(|c| profile.vertex.snap((0, 0), c, 8, profile.vertex.range()).unwrap()))
+        xy.map(|v| v.map(|c| profile.vertex.snap(origin, c, 8, profile.vertex.range()).unwrap()))
     });
     let (text, counts) = picture("d3d11", (16, 10), &lattice);
     assert_eq!(counts, triangles.map(|(_, count)| count));
@@ -236,7 +237,7 @@ fn polygons_by_parity() {
     for (letter, shape) in ('a'..).zip(shapes) {
         let xy = shape.iter().map(|p| p.map(|c| c * 1024)).collect();
         let mut drawing = Drawing::default();
-        model.draw_polygon(&Polygon { xy, z: None }, &mut drawing).unwrap();
+        model.draw(&model.place(Polygon { xy, z: None }).unwrap(), &mut drawing).unwrap();
         for span in &drawing.spans {
             cells[span.y as usize][span.x0 as usize..span.x1 as usize].fill(letter);
         }

@@ -2,11 +2,10 @@
 
 use super::Outcome;
 use super::failure::Failure;
-use guardbit::machine::{DrawError, Registers, Sink};
-use guardbit::model::{Drawing, Model, Records, View};
+use guardbit::machine::{Registers, Sink};
+use guardbit::model::{Drawing, Model, Primitive, PrimitiveError, Records, View};
 use guardbit::profile;
-use guardbit::scene::Triangle;
-use guardbit::scene::lines::{self, Primitive};
+use guardbit::scene::lines;
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
 
@@ -100,33 +99,30 @@ fn reply(
         Err(error) => return refuse(answer, error.id.as_deref(), &error.to_string()),
     };
     let id = request.id.as_deref();
-    let primitive = &request.primitive;
-    if has_depth(primitive) && model.depth().is_none() {
-        let key = primitive.key();
-        let message = format!("field `{key}`: the profile has no [depth], so a vertex has no z");
-        return refuse(answer, id, &message);
-    }
-    if let Primitive::Words(words) = primitive {
-        return match reply_words(model, words, id, answer) {
-            Ok(()) => true,
-            Err(message) => refuse(answer, id, &format!("field `words`: {message}")),
-        };
-    }
+    let (key, has_depth) = (request.primitive.key(), request.primitive.has_depth());
+    let primitive = match model.prepare(&request.primitive) {
+        Ok(primitive) => primitive,
+        Err(error) => return refuse(answer, id, &error.to_string()),
+    };
     drawing.clear();
-    let drawn = draw(model, primitive, drawing);
+    let drawn = match primitive.words() {
+        Some(words) => reply_records(model, &primitive, words, id, answer),
+        None => model
+            .draw(&primitive, drawing)
+            .map(|()| write_answer(answer, id, drawing, has_depth))
+            .map_err(|error| error.to_string()),
+    };
     match drawn {
-        Err(error) => refuse(answer, id, &error),
-        Ok(has_depth) => {
-            write_answer(answer, id, drawing, has_depth);
-            true
-        }
+        Ok(()) => true,
+        Err(error) => refuse(answer, id, &format!("field `{key}`: {error}")),
     }
 }
 
 /// Answers registers with records.
-fn reply_words(
+fn reply_records(
     model: &Model,
-    words: &[String],
+    primitive: &Primitive,
+    words: &[u32],
     id: Option<&str>,
     answer: &mut String,
 ) -> Result<(), String> {
@@ -149,12 +145,11 @@ fn reply_words(
         }
     }
     let Some(registers) = model.registers() else {
-        return Err("this profile's machine draws primitives, not set-up registers".to_owned());
+        return Err(PrimitiveError::NoRegisters.to_string());
     };
-    let words = registers.parse(words).map_err(|error| error.to_string())?;
     let _ = write!(answer, "{{\"id\": {}, \"out\": [", id.unwrap_or("null"));
     let mut records = Lines { registers, answer, rows: 0 };
-    model.draw_words(&words, &mut records).map_err(|error| error.to_string())?;
+    model.draw(primitive, &mut records).map_err(|error| error.to_string())?;
     if records.rows > Records::MOST {
         let rows = records.rows;
         answer.clear();
@@ -164,74 +159,12 @@ fn reply_words(
         ));
     }
     answer.push(']');
-    let masked = registers.input.dropped(&words);
+    let masked = registers.input.dropped(words);
     if !masked.is_empty() {
         let _ = write!(answer, ", \"masked\": [\"{}\"]", masked.join("\", \""));
     }
     answer.push('}');
     Ok(())
-}
-
-/// Whether a primitive gives depth.
-fn has_depth(primitive: &Primitive) -> bool {
-    match primitive {
-        Primitive::Triangle(Triangle::Lattice { z, .. }) => z.is_some(),
-        Primitive::Triangle(Triangle::Real { z, .. }) => z.is_some(),
-        Primitive::Polygon(polygon) => polygon.z.is_some(),
-        Primitive::Clip(triangle) => triangle.z.is_some(),
-        Primitive::Words(_) | Primitive::Line(_) | Primitive::Point(_) => false,
-    }
-}
-
-/// Draws a primitive; whether it has depth, or what is wrong, with its field.
-fn draw(model: &Model, primitive: &Primitive, out: &mut Drawing) -> Result<bool, String> {
-    let key = primitive.key();
-    // Coordinates outside the field name the primitive's own key, not a triangle's.
-    let accept = |points: &mut [[i128; 2]]| {
-        model.accept(points).map_err(|error| match key {
-            "point" => error.to_string().replace("v[0]", "point").replace("<= v <=", "<= x, y <="),
-            _ => {
-                error.to_string().replace("v[", &format!("{key}[")).replace("<= v <=", "<= x, y <=")
-            }
-        })
-    };
-    let result = match primitive {
-        Primitive::Triangle(triangle) => {
-            let triangle = model.snap(triangle).map_err(|error| error.to_string())?;
-            model.draw(&triangle, out)
-        }
-        Primitive::Line(line) => {
-            let mut line = *line;
-            accept(&mut line)?;
-            model.draw_line(&line, out)
-        }
-        Primitive::Point(point) => {
-            let mut point = [*point];
-            accept(&mut point)?;
-            model.draw_point(&point[0], out)
-        }
-        Primitive::Polygon(polygon) => {
-            let mut polygon = polygon.clone();
-            accept(&mut polygon.xy)?;
-            let top = i128::from(model.profile().depth_max());
-            for (n, z) in polygon.z.iter().flatten().enumerate() {
-                if !(0..=top).contains(z) {
-                    let message =
-                        format!("polygon[{n}][2] = {z} is outside the depth: 0 <= z <= {top}");
-                    return Err(message);
-                }
-            }
-            model.draw_polygon(&polygon, out)
-        }
-        Primitive::Clip(triangle) => model.draw_clip(triangle, out),
-        // Answered in a form of its own.
-        Primitive::Words(_) => return Ok(false),
-    };
-    match result {
-        Ok(()) => Ok(has_depth(primitive)),
-        Err(error @ DrawError::Primitive(_)) => Err(format!("field `{key}`: {error}")),
-        Err(error) => Err(error.to_string()),
-    }
 }
 
 fn write_answer(answer: &mut String, id: Option<&str>, drawing: &Drawing, has_depth: bool) {

@@ -11,7 +11,7 @@ use guardbit::machine::Sink;
 use guardbit::measure::error::{SampleError, Tally, triangle_error};
 use guardbit::model::{Model, View};
 use guardbit::profile;
-use guardbit::setup::Triangle;
+use guardbit::setup::{Snapped, Triangle};
 use std::path::PathBuf;
 
 /// Draw a scene through a profile: image, depth, coverage, or error against the exact truth.
@@ -154,7 +154,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     Ok(Outcome::Good)
 }
 
-fn draw(model: &Model, triangles: &[Triangle], canvas: &mut Canvas) -> String {
+fn draw(model: &Model, triangles: &[Snapped<Triangle>], canvas: &mut Canvas) -> String {
     let (mut wraps, mut refused) = (0, 0);
     for triangle in triangles {
         let colour = lit(model, triangle);
@@ -168,7 +168,7 @@ fn draw(model: &Model, triangles: &[Triangle], canvas: &mut Canvas) -> String {
     format!("{samples} samples, {wraps} wraps{refused}")
 }
 
-fn draw_errors(model: &Model, triangles: &[Triangle], canvas: &mut Canvas) -> String {
+fn draw_errors(model: &Model, triangles: &[Snapped<Triangle>], canvas: &mut Canvas) -> String {
     let mut total = Tally::default();
     for triangle in triangles {
         let tally = triangle_error(model, triangle, |x, y, error| {

@@ -4,18 +4,25 @@ use super::failure::Failure;
 use guardbit::model::{Model, View};
 use guardbit::profile::Profile;
 use guardbit::scene;
-use guardbit::setup::Triangle;
+use guardbit::setup::{Snapped, Triangle};
 use std::path::Path;
 
 /// A scene on a profile's grid.
-pub(crate) struct Snapped {
+pub(crate) struct SnappedScene {
     pub(crate) name: String,
-    pub(crate) triangles: Vec<Triangle>,
+    pub(crate) triangles: Vec<Snapped<Triangle>>,
     pub(crate) refused: u64,
 }
 
+impl SnappedScene {
+    /// The triangles in sub-pixels, as sets keep them.
+    pub(crate) fn shapes(&self) -> Vec<Triangle> {
+        self.triangles.iter().map(|triangle| **triangle).collect()
+    }
+}
+
 /// Loads a scene and snaps it; triangles outside the vertex field are counted and left out.
-pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<Snapped, Failure> {
+pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<SnappedScene, Failure> {
     let model = Model::with_view(profile, View::default()).map_err(Failure::input)?;
     let scene = scene::load(source, &model.viewport())?;
     let mut refused = scene.dropped as u64;
@@ -38,5 +45,5 @@ pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<Snapped, Fai
         eprintln!("note: {source}: {refused} triangles left out; the first: {first}");
     }
     let stem = Path::new(source).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    Ok(Snapped { name: stem.unwrap_or_else(|| source.to_owned()), triangles, refused })
+    Ok(SnappedScene { name: stem.unwrap_or_else(|| source.to_owned()), triangles, refused })
 }

@@ -42,7 +42,7 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = profile::load(&arguments.profile)?;
-    let scene = sets::snap_scene(&profile, &arguments.scene)?.triangles;
+    let scene = sets::snap_scene(&profile, &arguments.scene)?.shapes();
     let (seed, count) = (arguments.seed, arguments.count);
     let source = Source { profile, scene: Arc::new(scene), seed, count };
     let benches = source.benches();

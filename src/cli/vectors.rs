@@ -200,8 +200,8 @@ fn request(profile: Profile, scene: &str) -> Result<SetRequest, Failure> {
     Ok(SetRequest {
         name: profile.name.clone(),
         profile,
+        scene: Arc::new(snapped.shapes()),
         scene_name: snapped.name,
-        scene: Arc::new(snapped.triangles),
         refused: snapped.refused,
     })
 }

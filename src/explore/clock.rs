@@ -4,7 +4,7 @@ use crate::machine::Sink;
 use crate::measure::accuracy::Reference;
 use crate::model::Model;
 use crate::profile::Profile;
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -26,7 +26,7 @@ pub(super) struct Clock<'a> {
 #[derive(Debug)]
 struct Prepared {
     model: Model,
-    triangles: Vec<Triangle>,
+    triangles: Vec<Snapped<Triangle>>,
     samples: u64,
 }
 
@@ -59,7 +59,7 @@ impl Prepared {
         let mut fold = Fold::default();
         for triangle in &self.triangles {
             // Under the clamp `error` a refused triangle is part of the work.
-            let _ = self.model.draw(triangle, &mut fold);
+            self.model.draw_own(triangle, &mut fold);
         }
         fold
     }

@@ -45,7 +45,7 @@ impl Machine for Lines {
         match input {
             Input::Line(line) => {
                 let mut pixels = Vec::new();
-                self.line.pixels(**line, &grid, clip, &mut |x, y| pixels.push([y, x]));
+                self.line.pixels(***line, &grid, clip, &mut |x, y| pixels.push([y, x]));
                 pixels.sort_unstable();
                 pixels.dedup();
                 for run in pixels.chunk_by(|a, b| a[0] == b[0] && a[1] + 1 == b[1]) {
@@ -54,7 +54,7 @@ impl Machine for Lines {
                 }
             }
             Input::Point(point) => {
-                self.point.rows(**point, &grid, clip, &mut |y, x0, x1| out.span(y, x0, x1, &[]));
+                self.point.rows(***point, &grid, clip, &mut |y, x0, x1| out.span(y, x0, x1, &[]));
             }
             other => return Err(DrawError::Primitive(other.name())),
         }

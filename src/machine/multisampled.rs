@@ -150,7 +150,7 @@ impl Machine for Multisampled {
         let mut samples = Vec::with_capacity(self.samples.len());
         for machine in &self.samples {
             let mut kept = Kept::default();
-            machine.draw(&Input::Triangle(&Triangle { z: None, ..triangle }), &mut kept)?;
+            machine.draw(&Input::Triangle(&triangle.without_depth()), &mut kept)?;
             if kept.zero_area {
                 out.zero_area();
                 return Ok(());

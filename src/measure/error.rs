@@ -12,7 +12,7 @@ use crate::exact::{self, PlaneNumerator, Rule};
 use crate::machine::Sink;
 use crate::model::{Model, Span};
 use crate::profile::Form;
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 
 /// How one sample differs from the exact truth.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -113,13 +113,13 @@ impl Sink for Accumulators {
 /// clip. Calls `each` with column, row and error; returns the tally.
 pub fn triangle_error(
     model: &Model,
-    triangle: &Triangle,
+    triangle: &Snapped<Triangle>,
     mut each: impl FnMut(u32, u32, SampleError),
 ) -> Tally {
     let mut tally = Tally::default();
     let mut drawing = Accumulators::default();
     let Ok(grid) = model.profile().grid() else { return tally };
-    if model.draw(triangle, &mut drawing).is_err() || drawing.zero_area {
+    if !model.draw_own(triangle, &mut drawing) || drawing.zero_area {
         return tally;
     }
     let rule = exact_rule(&model.profile().form);

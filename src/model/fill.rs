@@ -4,7 +4,7 @@
 use super::Model;
 use crate::cover::{Bitmask, FillRule, Rect, fits_narrow, scan};
 use crate::machine::{DrawError, Sink};
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 use crate::value::{Depth, DepthBuffer};
 
 /// Coverage and depth of a window, in memory.
@@ -103,7 +103,8 @@ impl Model {
     ///
     /// # Errors
     /// [`DrawError`] if the profile refuses what happened.
-    pub fn cover(&self, triangle: &Triangle, mask: &mut Bitmask) -> Result<(), DrawError> {
+    pub fn cover(&self, triangle: &Snapped<Triangle>, mask: &mut Bitmask) -> Result<(), DrawError> {
+        self.check(Some(triangle.field()))?;
         let Some(quick) = &self.quick else { return self.draw(triangle, mask) };
         scan(&triangle.xy, &self.grid, self.clip, quick.rule, quick.narrow, |y, x0, x1| {
             mask.fill(y, x0, x1);
@@ -116,12 +117,13 @@ impl Model {
     ///
     /// # Errors
     /// [`DrawError`] if the profile refuses what happened.
-    pub fn fill(&self, triangle: &Triangle, raster: &mut Raster) -> Result<(), DrawError> {
+    pub fn fill(&self, triangle: &Snapped<Triangle>, raster: &mut Raster) -> Result<(), DrawError> {
+        self.check(Some(triangle.field()))?;
         let Some(quick) = &self.quick else { return self.draw(triangle, raster) };
         let Some((depth, z)) = quick.depth.zip(triangle.z) else {
             return self.cover(triangle, &mut raster.mask);
         };
-        let turned = Triangle { z: Some(z), ..*triangle }.normalised();
+        let turned = Triangle { z: Some(z), ..**triangle }.normalised();
         let Some(z) = turned.z.filter(|_| turned.area2() != 0) else { return Ok(()) };
         let plane = depth.plane(&turned, z, &self.grid);
         scan(&turned.xy, &self.grid, self.clip, quick.rule, quick.narrow, |y, x0, x1| {

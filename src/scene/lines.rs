@@ -22,8 +22,7 @@ mod write;
 
 use serde_json::value::RawValue;
 
-use super::Triangle;
-use crate::setup::{ClipTriangle, Polygon};
+use super::{Primitive, Triangle};
 use number::{integer, list, real, triple, word};
 pub use write::to_line;
 
@@ -34,38 +33,6 @@ pub struct Request {
     pub id: Option<String>,
     /// What the line asks to draw.
     pub primitive: Primitive,
-}
-
-/// What a line asks to draw.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Primitive {
-    /// `v` or `f`.
-    Triangle(Triangle),
-    /// `words`: raw set-up registers, digits unread.
-    Words(Vec<String>),
-    /// `line`: two end points in sub-pixels.
-    Line([[i128; 2]; 2]),
-    /// `point`: x, y in sub-pixels.
-    Point([i128; 2]),
-    /// `polygon`: three or more vertices.
-    Polygon(Polygon),
-    /// `clip`: three homogeneous vertices.
-    Clip(ClipTriangle),
-}
-
-impl Primitive {
-    /// The key it was given under.
-    pub const fn key(&self) -> &'static str {
-        match self {
-            Self::Triangle(Triangle::Lattice { .. }) => "v",
-            Self::Triangle(Triangle::Real { .. }) => "f",
-            Self::Words(_) => "words",
-            Self::Line(_) => "line",
-            Self::Point(_) => "point",
-            Self::Polygon(_) => "polygon",
-            Self::Clip(_) => "clip",
-        }
-    }
 }
 
 /// A line that cannot be read: where in it, and why.

@@ -77,16 +77,13 @@ pub enum VertexError {
     },
     /// A coordinate lies outside the field.
     #[error(
-        "{form}[{vertex}][{axis}] = {value} is outside the vertex field: {low} <= {form} <= {high}"
+        "{coordinate} = {value} is outside the {}: {low} <= {} <= {high}",
+        coordinate.range_name(), coordinate.axis_name()
     )]
     Outside {
-        /// `v` for a lattice coordinate, `f` for a real one, whose value here is the snapped one.
-        form: char,
-        /// Which vertex, 0 to 2.
-        vertex: usize,
-        /// 0 for x, 1 for y, 2 for z.
-        axis: usize,
-        /// The offending value in lattice units.
+        /// Which coordinate.
+        coordinate: Coordinate,
+        /// The offending value in sub-pixels or depth codes; of a real number, the snapped one.
         value: i128,
         /// Lowest allowed.
         low: i128,
@@ -94,15 +91,61 @@ pub enum VertexError {
         high: i128,
     },
     /// A real coordinate has no place on any lattice.
-    #[error("f[{vertex}][{axis}] is {what}: this profile refuses it")]
+    #[error("{coordinate} is {what}: this profile refuses it")]
     NotFinite {
-        /// Which vertex, 0 to 2.
-        vertex: usize,
-        /// 0 for x, 1 for y, 2 for z.
-        axis: usize,
+        /// Which coordinate.
+        coordinate: Coordinate,
         /// `NaN`, `infinite` or `too large for any word`.
         what: &'static str,
     },
+}
+
+/// A coordinate of a primitive, by the key and the indices that `eval` gives it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Coordinate {
+    /// `v`, `f`, `line`, `point` or `polygon`.
+    pub key: &'static str,
+    /// Which vertex, from 0; a point has none.
+    pub vertex: Option<usize>,
+    /// 0 for x, 1 for y, 2 for z.
+    pub axis: usize,
+}
+
+impl Coordinate {
+    const fn axis_name(&self) -> &'static str {
+        match self.axis {
+            0 => "x",
+            1 => "y",
+            _ => "z",
+        }
+    }
+
+    const fn range_name(&self) -> &'static str {
+        if self.axis == 2 { "depth range" } else { "vertex field" }
+    }
+
+    /// The value, if it lies between the two ends.
+    ///
+    /// # Errors
+    /// [`VertexError::Outside`].
+    pub(super) fn within(self, value: i128, ends: (i128, i128)) -> Result<i128, VertexError> {
+        let (low, high) = ends;
+        if (low..=high).contains(&value) {
+            Ok(value)
+        } else {
+            Err(VertexError::Outside { coordinate: self, value, low, high })
+        }
+    }
+}
+
+impl std::fmt::Display for Coordinate {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(self.key)?;
+        if let Some(vertex) = self.vertex {
+            write!(f, "[{vertex}]")?;
+        }
+        write!(f, "[{}]", self.axis)
+    }
 }
 
 impl VertexConfig {
@@ -147,41 +190,32 @@ impl VertexConfig {
         self.lattice.unwrap_or(self.sub_pixel)
     }
 
-    /// Vertices of the grid as a caller gives them: what [`VertexConfig::accept`] brings back.
+    /// Vertices of the grid as a caller gives them: what [`VertexConfig::to_grid`] brings back.
     pub fn to_input(&self, xy: [[i128; 2]; 3]) -> [[i128; 2]; 3] {
         let finer = self.input_bits() - self.sub_pixel;
         xy.map(|vertex| vertex.map(|value| value << finer))
     }
 
-    /// An integer coordinate in sub-pixels, snapped from the profile's lattice where that is finer;
-    /// outside the field it is refused: an error, never a wrap. Spec clauses `S-2` and `S-5`.
+    /// An integer coordinate on the sub-pixel grid, rounded from the profile's lattice where that is
+    /// finer. Spec clause `S-5`; whether it lies in the field is for [`VertexField`] to say.
     ///
-    /// # Errors
-    /// [`VertexError::Outside`].
-    pub fn accept(&self, vertex: usize, axis: usize, value: i128) -> Result<i128, VertexError> {
-        let (low, high) = self.range();
-        let finer = self.input_bits() - self.sub_pixel;
-        let value = self.snap.shift_right(value, finer).0;
-        if (low..=high).contains(&value) {
-            Ok(value)
-        } else {
-            Err(VertexError::Outside { form: 'v', vertex, axis, value, low, high })
-        }
+    /// [`VertexField`]: super::VertexField
+    pub fn to_grid(&self, value: i128) -> i128 {
+        self.snap.shift_right(value, self.input_bits() - self.sub_pixel).0
     }
 
-    /// A real coordinate as a number of `2^-fraction` units within `[low, high]`, rounded once by
+    /// A real coordinate as a number of `2^-fraction` units between two ends, rounded once by
     /// the profile's snap. Spec clause `S-3`.
     ///
     /// # Errors
     /// [`VertexError`] for NaN, infinities and values outside, unless the profile clamps them.
     pub fn snap(
         &self,
-        place: (usize, usize),
+        coordinate: Coordinate,
         value: f64,
         fraction: u32,
-        (low, high): (i128, i128),
+        ends: (i128, i128),
     ) -> Result<i128, VertexError> {
-        let (vertex, axis) = place;
         let value = match self.source {
             Source::F64 => value,
             #[allow(
@@ -192,12 +226,9 @@ impl VertexConfig {
         };
         let snapped = snap_f64(value, fraction, self.snap);
         match (snapped, self.endless) {
-            (Some(value), _) if (low..=high).contains(&value) => Ok(value),
-            (Some(value), _) => {
-                Err(VertexError::Outside { form: 'f', vertex, axis, value, low, high })
-            }
-            (None, Endless::Clamp) if value.is_nan() => Ok(0i128.clamp(low, high)),
-            (None, Endless::Clamp) => Ok(if value > 0.0 { high } else { low }),
+            (Some(value), _) => coordinate.within(value, ends),
+            (None, Endless::Clamp) if value.is_nan() => Ok(0i128.clamp(ends.0, ends.1)),
+            (None, Endless::Clamp) => Ok(if value > 0.0 { ends.1 } else { ends.0 }),
             (None, Endless::Refuse) => {
                 let what = if value.is_nan() {
                     "NaN"
@@ -206,7 +237,7 @@ impl VertexConfig {
                 } else {
                     "too large for any word"
                 };
-                Err(VertexError::NotFinite { vertex, axis, what })
+                Err(VertexError::NotFinite { coordinate, what })
             }
         }
     }

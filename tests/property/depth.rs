@@ -89,7 +89,8 @@ proptest! {
         prop_assume!(area != 0);
         let view = View { scissor: Some(Rect { x0: 0, y0: 0, x1: 0, y1: 0 }), ..View::default() };
         let mut drawing = Drawing::default();
-        Model::with_view(&profile, view).unwrap().draw(&triangle, &mut drawing).unwrap();
+        let model = Model::with_view(&profile, view).unwrap();
+        model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
         let v = if area < 0 { [a, c, b] } else { xy };
         for k in 0..3 {
             let (p, q) = (v[k], v[(k + 1) % 3]);
@@ -137,7 +138,7 @@ proptest! {
         });
         let model = Model::new(&profile).unwrap();
         let mut drawing = Drawing::default();
-        let drawn = model.draw(&Triangle { xy, z: Some(z) }, &mut drawing);
+        let drawn = model.draw(&model.place(Triangle { xy, z: Some(z) }).unwrap(), &mut drawing);
         let read = model.depth().unwrap().read_out();
         if drawing.zero_area {
             return Ok(());
@@ -185,7 +186,7 @@ proptest! {
             let scissor = Some(Rect { x0: 0, y0, x1: 4096, y1: y0 + 2 });
             let model = Model::with_view(&profile, View { scissor, ..View::default() }).unwrap();
             let mut drawing = Drawing::default();
-            model.draw(&triangle, &mut drawing).unwrap();
+            model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
             if drawing.zero_area {
                 return Ok(());
             }

@@ -3,7 +3,9 @@
 use crate::cases;
 use crate::rounding::{round, roundings};
 use guardbit::bits::Rounding;
-use guardbit::setup::{Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed};
+use guardbit::setup::{
+    Coordinate, Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed,
+};
 use num_bigint::BigInt;
 use proptest::prelude::*;
 
@@ -71,7 +73,8 @@ proptest! {
         };
         let high = if field.closed { end } else { end - 1 };
         prop_assert_eq!(field.range(), (low, high));
-        let got = field.snap((2, 1), value, field.sub_pixel, field.range());
+        let here = Coordinate { key: "f", vertex: Some(2), axis: 1 };
+        let got = field.snap(here, value, field.sub_pixel, field.range());
         // Rounded to binary32 by reading the decimal expansion, not by a conversion.
         let value = match field.source {
             Source::F32 if value.is_finite() => {
@@ -89,8 +92,8 @@ proptest! {
             } else {
                 let refused = matches!(
                     got,
-                    Err(VertexError::Outside { vertex: 2, axis: 1, .. }
-                        | VertexError::NotFinite { vertex: 2, axis: 1, .. })
+                    Err(VertexError::Outside { coordinate, .. }
+                        | VertexError::NotFinite { coordinate, .. }) if coordinate == here
                 );
                 prop_assert!(refused);
             }
@@ -98,7 +101,7 @@ proptest! {
             let expected = if value.is_nan() { 0 } else if value > 0.0 { high } else { low };
             prop_assert_eq!(got, Ok(expected));
         } else {
-            let refused = matches!(got, Err(VertexError::NotFinite { vertex: 2, axis: 1, .. }));
+            let refused = matches!(got, Err(VertexError::NotFinite { coordinate, .. }) if coordinate == here);
             prop_assert!(refused);
         }
     }

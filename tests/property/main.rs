@@ -68,6 +68,6 @@ fn pixels(drawing: &Drawing) -> BTreeSet<(u32, u32)> {
 
 fn draw(model: &Model, triangle: &Triangle) -> Drawing {
     let mut drawing = Drawing::default();
-    model.draw(triangle, &mut drawing).unwrap();
+    model.draw(&model.place(*triangle).unwrap(), &mut drawing).unwrap();
     drawing
 }

@@ -150,7 +150,7 @@ fn records_are_kept_up_to_a_number() {
     let words = [64, 64, 96, 64, 64, 96, 48, 48, 127, 127];
     for (most, kept, whole) in [(2, 2, false), (3, 3, true), (9, 3, true)] {
         let mut records = guardbit::model::Records::up_to(most);
-        model.draw_words(&words, &mut records).unwrap();
+        model.draw(words.as_slice(), &mut records).unwrap();
         assert_eq!((records.kept.len(), records.total, records.is_whole()), (kept, 3, whole));
     }
 }

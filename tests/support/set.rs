@@ -84,7 +84,7 @@ pub(crate) fn options(count: u64) -> Options {
 pub(crate) fn snapped(profile: &Profile, name: &str) -> Vec<Triangle> {
     let model = Model::with_view(profile, View::default()).unwrap();
     let scene = scene::load(name, &model.viewport()).unwrap();
-    scene.triangles.iter().map(|triangle| model.snap(triangle).unwrap()).collect()
+    scene.triangles.iter().map(|triangle| *model.snap(triangle).unwrap()).collect()
 }
 
 pub(crate) fn request(profile: &Profile, scene: &str) -> SetRequest {

@@ -85,8 +85,7 @@ impl Drawn {
                 covered += exact.iter().map(|run| u64::from(run.x1 - run.x0)).sum::<u64>();
             } else {
                 runs.0.clear();
-                // A coverage machine refuses nothing.
-                let _ = model.draw(&face.triangle, &mut runs);
+                model.draw_own(&face.triangle, &mut runs);
                 compare(exact, &runs.0, |side, run| {
                     misplaced(side, run, &mut tally.missing, &mut tally.extra);
                     hits.note(side, run);

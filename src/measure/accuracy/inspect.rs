@@ -40,7 +40,7 @@ impl<'a> Inspector<'a> {
     pub fn face(&self, face: &Face, value: Value, mut each: impl FnMut(u32, u32, SampleError)) {
         let mut drawn = Runs::default();
         // A triangle that the profile refuses is missing as a whole.
-        let _ = self.model.draw(&face.triangle, &mut drawn);
+        self.model.draw_own(&face.triangle, &mut drawn);
         let surface: Option<&Surface> = match value {
             Value::Depth => face.depth.as_ref(),
             Value::Attribute => face.attribute.as_ref(),

@@ -12,7 +12,6 @@ use crate::bits::{Event, SpanEvents};
 use crate::machine::Sink;
 use crate::model::{Model, Span};
 use crate::profile::Profile;
-use crate::setup::Triangle;
 use crate::value::Depth;
 use std::cmp::Ordering;
 
@@ -54,9 +53,10 @@ impl Held {
     /// Draws a face with the codes of `surface` as its depth.
     pub(super) fn draw(model: &Model, face: &Face, surface: &Surface) -> Self {
         let mut held = Self::default();
-        let triangle = Triangle { z: Some(surface.vertex), ..face.triangle };
+        let triangle = face.triangle.with_depth(surface.vertex);
+        let triangle = triangle.unwrap_or_else(|error| unreachable!("codes of the stage: {error}"));
         // A triangle that is refused has no values.
-        let _ = model.draw(&triangle, &mut held);
+        model.draw_own(&triangle, &mut held);
         held
     }
 

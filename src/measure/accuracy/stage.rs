@@ -14,7 +14,7 @@ use crate::exact::{PlaneNumerator, Rule};
 use crate::measure::error::exact_rule;
 use crate::model::{Model, Span};
 use crate::profile::{InvalidProfile, Profile};
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 use std::ops::Range;
 
 /// A scene on a grid.
@@ -46,7 +46,7 @@ pub struct Stage {
 #[derive(Clone, Debug)]
 pub struct Face {
     /// On the grid, normalised.
-    pub triangle: Triangle,
+    pub triangle: Snapped<Triangle>,
     /// Its place in the scene, from 0.
     pub source: usize,
     /// Its exact runs, in [`Stage::runs`].
@@ -159,7 +159,7 @@ impl Stage {
             #[allow(clippy::cast_possible_truncation, reason = "an integer below 2^64")]
             let codes = ATTRIBUTE.map(|part| (part * self.world.top) as i128);
             // The attribute changes places with its vertex.
-            let attribute = Triangle { z: Some(codes), ..snapped }.normalised();
+            let attribute = Triangle { z: Some(codes), ..*snapped }.normalised();
             face.attribute = attribute.z.and_then(|vertex| surface(vertex, Some(ATTRIBUTE), true));
         }
         self.note_snapped_values(truth.runs(source), &face);

@@ -61,8 +61,7 @@ impl Sink for Seen {
 fn draw(model: &Model, faces: &[Face]) -> Seen {
     let mut seen = Seen::default();
     for face in faces {
-        // What is refused is not drawn.
-        let _ = model.draw(&face.triangle, &mut seen);
+        model.draw_own(&face.triangle, &mut seen);
     }
     seen
 }

@@ -6,7 +6,7 @@ use crate::machine::{Sink, Work};
 use crate::measure::cost::{Count, Operations, estimate};
 use crate::model::Model;
 use crate::profile::{InvalidProfile, MACHINES, Profile};
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle, VertexField};
 use serde::Serialize;
 
 /// Covered pixels of the triangles drawn.
@@ -57,7 +57,8 @@ impl Sink for Tally {
 
 /// Triangles of about so many pixels, of every direction and of aspects up to 3, inside the window
 /// where they fit.
-fn triangles(pixels: u64, profile: &Profile) -> Vec<Triangle> {
+fn triangles(pixels: u64, profile: &Profile) -> Result<Vec<Snapped<Triangle>>, InvalidProfile> {
+    let field = VertexField::new(&profile.vertex, profile.depth_max())?;
     let one = 1i128 << profile.vertex.sub_pixel;
     let side = i128::from(pixels.isqrt().max(1)) * one;
     let window = [profile.window.width, profile.window.height].map(|side| i128::from(side) * one);
@@ -85,7 +86,7 @@ fn triangles(pixels: u64, profile: &Profile) -> Vec<Triangle> {
             };
             let xy = [corner([0; 2]), corner(u), corner([v[0] + w[0], v[1] + w[1]])];
             let z = profile.depth.map(|_| [(); 3].map(|()| words.between(0, top)));
-            Triangle { xy, z }
+            field.check(Triangle { xy, z }).map_err(InvalidProfile::from)
         })
         .collect()
 }
@@ -103,7 +104,7 @@ pub fn sizes(
     let area = u64::from(profile.window.width) * u64::from(profile.window.height);
     let mut rows = Vec::new();
     for pixels in SIZES.into_iter().filter(|pixels| *pixels <= area / 4) {
-        let list = triangles(pixels, profile);
+        let list = triangles(pixels, profile)?;
         for (machine, _) in MACHINES.into_iter().filter(|(name, _)| names.contains(name)) {
             if !go_on() {
                 return Ok(rows);
@@ -112,8 +113,7 @@ pub fn sizes(
             let (model, cost) = (Model::new(&profile)?, estimate(&profile)?);
             let mut tally = Tally::default();
             for triangle in &list {
-                // What is refused is not drawn.
-                let _ = model.draw(triangle, &mut tally);
+                model.draw_own(triangle, &mut tally);
             }
             let (count, covered) = (real(TRIANGLES), real(tally.fragments));
             let all = |kind: fn(&Count) -> u64| total(&cost.operations, &tally, kind) / count;

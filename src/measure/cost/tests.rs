@@ -375,7 +375,8 @@ impl Walk {
 #[track_caller]
 fn agree(profile: &Profile, triangle: Triangle, walk: impl Fn(&Walk) -> Walked) {
     let mut drawing = Drawing::default();
-    Model::new(profile).unwrap().draw(&triangle, &mut drawing).unwrap();
+    let model = Model::new(profile).unwrap();
+    model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
     let plan = Walk::new(profile, triangle.xy, triangle.z.unwrap());
     DONE.set(Count::default());
     let walked = walk(&plan);

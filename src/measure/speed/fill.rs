@@ -4,9 +4,10 @@
 use super::timing::versus;
 use crate::case::Words;
 use crate::cover::{Bitmask, EdgeStorage, EdgeWordConfig};
+use crate::machine::DrawError;
 use crate::model::{Model, Raster};
 use crate::profile::{Profile, WindowConfig, builtin};
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 use serde::Serialize;
 
 /// Pixels on a side of the window written to: values of one window stay in a processor's caches.
@@ -28,7 +29,7 @@ pub struct FillRow {
 }
 
 /// Triangles of two random legs of about `side` pixels each.
-fn triangles(side: i64, count: u64) -> Vec<Triangle> {
+fn triangles(model: &Model, side: i64, count: u64) -> Vec<Snapped<Triangle>> {
     let sub = 1 << 10;
     (0..count)
         .map(|index| {
@@ -48,7 +49,8 @@ fn triangles(side: i64, count: u64) -> Vec<Triangle> {
             let limit = i128::from(SIDE) << 10;
             let corner = |d: [i128; 2]| [0, 1].map(|axis| (at[axis] + d[axis]).clamp(0, limit));
             let z = [(); 3].map(|()| words.between(0, (1 << 24) - 1));
-            Triangle { xy: [corner([0; 2]), corner(u), corner(v)], z: Some(z) }
+            let triangle = Triangle { xy: [corner([0; 2]), corner(u), corner(v)], z: Some(z) };
+            model.place(triangle).unwrap_or_else(|error| unreachable!("clamped: {error}"))
         })
         .filter(|triangle| triangle.area2() != 0)
         .collect()
@@ -93,6 +95,11 @@ fn plainly(profile: &Profile, triangle: &Triangle, raster: &mut PlainRaster, dee
     }
 }
 
+/// The profile refuses none of these triangles.
+fn own(error: DrawError) {
+    unreachable!("a triangle made for this model: {error}");
+}
+
 struct PlainRaster {
     mask: Bitmask,
     depth: Vec<u64>,
@@ -112,12 +119,12 @@ pub(super) fn measure(repeats: usize) -> Vec<FillRow> {
         PlainRaster { mask: Bitmask::new(window), depth: vec![0; SIDE as usize * SIDE as usize] };
     let mut rows = Vec::new();
     for (side, count) in [(6, 4000), (30, 400), (400, 12)] {
-        let list = triangles(side, count);
+        let list = triangles(&model, side, count);
         raster.mask.clear();
         let mut pixels = 0;
         for triangle in &list {
             let mut mask = Bitmask::new(window);
-            let _ = model.cover(triangle, &mut mask);
+            model.cover(triangle, &mut mask).unwrap_or_else(own);
             pixels += mask.count();
         }
         for (writes, deep) in [("coverage", false), ("depth", true)] {
@@ -131,11 +138,12 @@ pub(super) fn measure(repeats: usize) -> Vec<FillRow> {
                 },
                 || {
                     for triangle in &list {
-                        let _ = if deep {
+                        let drawn = if deep {
                             model.fill(triangle, &mut raster)
                         } else {
                             model.cover(triangle, &mut raster.mask)
                         };
+                        drawn.unwrap_or_else(own);
                     }
                     raster.depth(0)[0]
                 },
@@ -187,7 +195,7 @@ mod tests {
                 mask: Bitmask::new(model.clip()),
                 depth: vec![0; SIDE as usize * SIDE as usize],
             };
-            for triangle in triangles(side, count) {
+            for triangle in triangles(&model, side, count) {
                 model.fill(&triangle, &mut raster).unwrap();
                 plainly(&profile, &triangle, &mut plain, true);
             }

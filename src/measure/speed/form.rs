@@ -6,7 +6,7 @@ use crate::cover::EdgeStorage;
 use crate::machine::Sink;
 use crate::model::Model;
 use crate::profile::{Form, Profile, builtin};
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 use serde::Serialize;
 use std::hint::black_box;
 
@@ -44,7 +44,7 @@ pub(super) fn measure(repeats: usize) -> Vec<FormRow> {
         for log in [false, true] {
             for (n, pixels) in SIZES.into_iter().enumerate() {
                 let count = (SAMPLES / pixels).clamp(1, TRIANGLES);
-                let triangles: Vec<Triangle> = (0..count).map(|at| triangle(n, at)).collect();
+                let triangles: Vec<_> = (0..count).map(|at| triangle(base, n, at)).collect();
                 let Pair { fast_ns, ratio, .. } = versus(
                     repeats,
                     || draw(base, black_box(&triangles), false).checksum,
@@ -83,16 +83,17 @@ fn machines() -> [(&'static str, Model); 3] {
 
 /// A triangle of `SIZES[n]` covered pixels, somewhere in the window: a right one of twice s by s
 /// pixels. Row y of it covers 2 s - 2 y - 1, and those add up to s^2; no sample is on an edge.
-fn triangle(n: usize, at: u32) -> Triangle {
+fn triangle(model: &Model, n: usize, at: u32) -> Snapped<Triangle> {
     let side = 1i128 << n;
     // Steps that are no multiples of one another scatter the corners over the window.
     let place = |stride: u32| i128::from(16 + at.wrapping_mul(stride) % 3_700);
     let (x, y) = (place(677), place(1_201));
     let corner = |across: i128, down: i128| [(x + across) << 10, (y + down) << 10];
-    Triangle {
+    let triangle = Triangle {
         xy: [corner(0, 0), corner(2 * side, 0), corner(0, side)],
         z: Some([1_000_003, 9_000_011, 5_000_011]),
-    }
+    };
+    model.place(triangle).unwrap_or_else(|error| unreachable!("inside the window: {error}"))
 }
 
 /// What a pass drew.
@@ -120,11 +121,10 @@ impl Sink for Drawn {
     }
 }
 
-fn draw(model: &Model, triangles: &[Triangle], log: bool) -> Drawn {
+fn draw(model: &Model, triangles: &[Snapped<Triangle>], log: bool) -> Drawn {
     let mut drawn = Drawn { log: log.then(EventLog::default), ..Drawn::default() };
     for triangle in triangles {
-        // Under the clamp mode of these profiles no primitive is refused.
-        let _ = model.draw(triangle, &mut drawn);
+        model.draw_own(triangle, &mut drawn);
     }
     drawn
 }
@@ -167,7 +167,7 @@ mod tests {
         let machines = machines();
         for (n, pixels) in SIZES.into_iter().enumerate() {
             for at in [0, 1, 17, TRIANGLES - 1] {
-                let triangle = triangle(n, at);
+                let triangle = triangle(&machines[0].1, n, at);
                 let base = draw(&machines[0].1, &[triangle], false);
                 assert_eq!(base.samples, u64::from(pixels));
                 assert!(base.checksum > 1_000_000, "depth is drawn");
@@ -185,7 +185,7 @@ mod tests {
     #[test]
     fn the_log_counts_when_it_is_on() {
         let [(_, model), ..] = machines();
-        let triangles: Vec<_> = (0..20).map(|at| triangle(5, at)).collect();
+        let triangles: Vec<_> = (0..20).map(|at| triangle(&model, 5, at)).collect();
         let log = draw(&model, &triangles, true).log.unwrap();
         assert!(
             log.total.count(Event::Inexact) > 1000,

@@ -6,7 +6,7 @@ use crate::case::triangle::Stimulus;
 use crate::machine::Sink;
 use crate::model::{Drawing, Model};
 use crate::profile::{BUILTIN, Form, builtin};
-use crate::setup::Triangle;
+use crate::setup::{Snapped, Triangle};
 use serde::Serialize;
 use std::hint::black_box;
 
@@ -51,19 +51,17 @@ impl Sink for Sum {
 fn draw(model: &Model, lists: &[Vec<u32>]) -> Sum {
     let mut sum = Sum::default();
     for words in lists {
-        // The lists are the host's own.
-        let _ = model.draw_words(words, &mut sum);
+        model.draw_own(words.as_slice(), &mut sum);
     }
     sum
 }
 
-fn plain(model: &Model, triangles: &[Triangle]) -> u64 {
+fn plain(model: &Model, triangles: &[Snapped<Triangle>]) -> u64 {
     let mut drawing = Drawing::default();
     let mut samples = 0;
     for triangle in triangles {
         drawing.clear();
-        // A profile without depth refuses nothing.
-        let _ = model.draw(triangle, &mut drawing);
+        model.draw_own(triangle, &mut drawing);
         samples += drawing.samples();
     }
     samples
@@ -84,8 +82,9 @@ pub(super) fn measure(repeats: usize) -> Vec<RegisterRow> {
             continue;
         };
         let stimulus = Stimulus::new(&profile);
-        let triangles: Vec<Triangle> =
-            (0..TRIANGLES).map(|n| stimulus.random(Words::new(1, 9, n), Some(REACH))).collect();
+        let random = |n| stimulus.random(Words::new(1, 9, n), Some(REACH));
+        let place = |n| base.place(random(n)).unwrap_or_else(|error| unreachable!("{error}"));
+        let triangles: Vec<Snapped<Triangle>> = (0..TRIANGLES).map(place).collect();
         let lists: Vec<Vec<u32>> =
             triangles.iter().flat_map(|triangle| model.host(triangle)).collect();
         let records = draw(&model, &lists).records as f64;

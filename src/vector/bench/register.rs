@@ -152,7 +152,7 @@ impl RegisterBench {
 fn records(model: &Model, words: &[u32]) -> Records {
     let mut records = Records::up_to(LARGEST);
     // The number of words is the profile's own.
-    let _ = model.draw_words(words, &mut records);
+    let _ = model.draw(words, &mut records);
     records
 }
 

@@ -127,19 +127,24 @@ impl ShapeBench {
         let stride = words.len() / self.vertices();
         let vertices: Vec<&[i128]> = words.chunks(stride).collect();
         let at = |n: usize| [vertices[n][0], vertices[n][1]];
+        let model = &self.model;
         // What a machine refuses has no rows.
         let _ = match self.kind {
-            ShapeKind::Line => self.model.draw_line(&[at(0), at(1)], &mut drawing),
-            ShapeKind::Point => self.model.draw_point(&at(0), &mut drawing),
+            ShapeKind::Line => {
+                model.place([at(0), at(1)]).map(|line| model.draw_own(&line, &mut drawing))
+            }
+            ShapeKind::Point => {
+                model.place(at(0)).map(|point| model.draw_own(&point, &mut drawing))
+            }
             ShapeKind::Quad => {
                 let z = self.has_depth.then(|| vertices.iter().map(|v| v[2]).collect());
                 let polygon = Polygon { xy: (0..4).map(at).collect(), z };
-                self.model.draw_polygon(&polygon, &mut drawing)
+                model.place(polygon).map(|polygon| model.draw_own(&polygon, &mut drawing))
             }
             ShapeKind::Clip => {
                 let xyw = [0, 1, 2].map(|n: usize| [at(n)[0], at(n)[1], vertices[n][stride - 1]]);
                 let z = self.has_depth.then(|| [0, 1, 2].map(|n: usize| vertices[n][2]));
-                self.model.draw_clip(&ClipTriangle { xyw, z }, &mut drawing)
+                Ok(model.draw_own(&ClipTriangle { xyw, z }, &mut drawing))
             }
         };
         drawing

@@ -32,7 +32,8 @@ pub fn read_scene(set: &OpenSet) -> Result<Vec<Triangle>, CheckError> {
         lines::parse_scene(&text).map_err(|(line, error)| bad(line, error.to_string()))?;
     let model = Model::new(&set.manifest.profile).map_err(|error| bad(1, error.to_string()))?;
     let snap = |(n, triangle): (usize, &scene::Triangle)| {
-        model.snap(triangle).map_err(|error| bad(n + 1, error.to_string()))
+        let snapped = model.snap(triangle).map_err(|error| bad(n + 1, error.to_string()));
+        snapped.map(|triangle| *triangle)
     };
     triangles.iter().enumerate().map(snap).collect()
 }
@@ -162,7 +163,7 @@ fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
         let model = Model::new(&manifest.profile).ok()?;
         let made = scene::load(name, &model.viewport()).ok()?;
         let snapped: Vec<Triangle> =
-            made.triangles.iter().filter_map(|triangle| model.snap(triangle).ok()).collect();
+            made.triangles.iter().filter_map(|given| model.snap(given).ok().map(|t| *t)).collect();
         let expected = scene_text(&snapped, &manifest.profile.vertex);
         if manifest::sha256(expected.as_bytes()) == manifest.scene.sha256 {
             return first_difference(path, &bytes, expected.as_bytes()).line;
