@@ -36,6 +36,41 @@
  */
 #define GUARDBIT_INTERNAL -6
 
+/*
+ A triangle: x, y of three vertices, or x, y, z of three.
+ */
+#define GUARDBIT_TRIANGLE 0
+
+/*
+ A line: x, y of both ends.
+ */
+#define GUARDBIT_LINE 1
+
+/*
+ A point: x, y.
+ */
+#define GUARDBIT_POINT 2
+
+/*
+ A polygon: x, y of three or more vertices.
+ */
+#define GUARDBIT_POLYGON 3
+
+/*
+ A polygon with depth: x, y, z of three or more vertices.
+ */
+#define GUARDBIT_POLYGON_DEPTH 4
+
+/*
+ A triangle that is neither projected nor clipped: X, Y, W of three vertices, or X, Y, Z, W.
+ */
+#define GUARDBIT_CLIP 5
+
+/*
+ The register words of a machine that begins there, each 0 to 2^32 - 1.
+ */
+#define GUARDBIT_WORDS 6
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -91,6 +126,32 @@ int32_t guardbit_close(int32_t handle);
  `vertices` is null or leads to nine numbers.
  */
 int32_t guardbit_draw(int32_t model, const int64_t *vertices);
+
+/*
+ Draws one primitive of any kind that the profile's machine takes: `kind` is `GUARDBIT_TRIANGLE`
+ to `GUARDBIT_WORDS`, `numbers` its coordinates on the profile's input lattice and in depth codes,
+ or its words. Returns the number of covered runs, or of records where words were drawn.
+
+ # Safety
+ `numbers` is null or leads to `count` numbers.
+ */
+int32_t guardbit_draw_primitive(int32_t model,
+                                uint32_t kind,
+                                const int64_t *numbers,
+                                uint32_t count);
+
+/*
+ Record `index` of the last words drawn: up to `size` of its words; returns how many it has. Its
+ letter goes to `letter`.
+
+ # Safety
+ `letter` is null or leads to one byte; `words` is null or leads to `size` words.
+ */
+int32_t guardbit_record(int32_t model,
+                        uint32_t index,
+                        uint8_t *letter,
+                        uint32_t *words,
+                        uint32_t size);
 
 /*
  Run `index` of the last drawing as y, x0, x1, half open.

@@ -10,6 +10,7 @@
 
 mod logic;
 mod model;
+mod primitive;
 mod table;
 mod walk;
 
@@ -19,8 +20,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use logic::guardbit_clock_logic;
 pub use model::{
-    guardbit_close, guardbit_column, guardbit_depth, guardbit_draw, guardbit_open, guardbit_setup,
-    guardbit_span,
+    guardbit_close, guardbit_column, guardbit_depth, guardbit_draw, guardbit_draw_primitive,
+    guardbit_open, guardbit_record, guardbit_setup, guardbit_span,
+};
+pub use primitive::{
+    GUARDBIT_CLIP, GUARDBIT_LINE, GUARDBIT_POINT, GUARDBIT_POLYGON, GUARDBIT_POLYGON_DEPTH,
+    GUARDBIT_TRIANGLE, GUARDBIT_WORDS,
 };
 pub use walk::{guardbit_clock, guardbit_clock64, guardbit_walk};
 
@@ -91,6 +96,22 @@ pub unsafe extern "C" fn guardbit_message(buffer: *mut c_char, size: usize) -> i
     })
 }
 
+/// Numbers, or a failure naming the parameter.
+///
+/// # Safety
+/// The pointer is null or leads to `count` numbers that stay as they are.
+pub(crate) unsafe fn numbers_in<'a>(
+    pointer: *const i64,
+    count: usize,
+    name: &str,
+) -> Result<&'a [i64], Failure> {
+    if pointer.is_null() {
+        return Err(null(name));
+    }
+    // SAFETY: not null, and the caller gives so many numbers.
+    Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
+}
+
 /// A word in four parts, or a failure naming the parameter.
 ///
 /// # Safety
@@ -115,7 +136,8 @@ pub(crate) unsafe fn word_out(pointer: *mut u32, name: &str, word: u128) -> Resu
     // SAFETY: not null, and the caller gives four parts.
     let parts = unsafe { std::slice::from_raw_parts_mut(pointer, 4) };
     for (n, part) in parts.iter_mut().enumerate() {
-        *part = u32::try_from(word >> (32 * n) & 0xffff_ffff).unwrap_or(0);
+        let bytes = (word >> (32 * n)).to_le_bytes();
+        *part = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
     }
     Ok(())
 }

@@ -1,19 +1,22 @@
 //! Models: a profile ready to draw, and what it drew last.
 
+use crate::primitive::{GUARDBIT_TRIANGLE, Given, given};
 use crate::table::Table;
 use crate::walk::WALKS;
 use crate::{
-    Failure, GUARDBIT_ARGUMENT, GUARDBIT_PROFILE, GUARDBIT_REFUSED, answer, null, word_out,
+    Failure, GUARDBIT_ARGUMENT, GUARDBIT_PROFILE, GUARDBIT_REFUSED, answer, null, numbers_in,
+    word_out,
 };
-use guardbit::model::{Drawing, Model};
+use guardbit::model::{Drawing, Model, PrimitiveError, Records};
 use guardbit::profile;
-use guardbit::scene;
+use guardbit::scene::{Primitive, Triangle};
 use std::ffi::{CStr, c_char};
 
 /// A model and its last drawing.
 pub(crate) struct Open {
     pub(crate) model: Model,
     drawing: Drawing,
+    records: Records,
 }
 
 pub(crate) static MODELS: Table<Open> = Table::new("model", 0);
@@ -38,7 +41,8 @@ pub unsafe extern "C" fn guardbit_open(profile: *const c_char) -> i32 {
             |error: &dyn std::fmt::Display| Failure::new(GUARDBIT_PROFILE, error.to_string());
         let profile = profile::load(name).map_err(|error| refuse(&error))?;
         let model = Model::new(&profile).map_err(|error| refuse(&error))?;
-        MODELS.open(Open { model, drawing: Drawing::default() })
+        let records = Records::up_to(Records::MOST);
+        MODELS.open(Open { model, drawing: Drawing::default(), records })
     })
 }
 
@@ -59,26 +63,123 @@ pub extern "C" fn guardbit_close(handle: i32) -> i32 {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn guardbit_draw(model: i32, vertices: *const i64) -> i32 {
     answer(|| {
-        if vertices.is_null() {
-            return Err(null("vertices"));
-        }
-        // SAFETY: not null, and the caller gives nine numbers.
-        let numbers = unsafe { std::slice::from_raw_parts(vertices, 9) };
-        let at = |n: usize| i128::from(numbers[n]);
-        let xy = [0, 3, 6].map(|n| [at(n), at(n + 1)]);
+        // SAFETY: as the caller promises.
+        let numbers = unsafe { numbers_in(vertices, 9, "vertices") }?;
         MODELS.with(model, |open| {
-            let refuse = |text: String| Failure::new(GUARDBIT_REFUSED, text);
-            let z = Some([at(2), at(5), at(8)]);
-            let given = scene::Triangle::Lattice { xy, z };
-            let triangle = open.model.snap(&given).map_err(|error| refuse(error.to_string()))?;
-            open.drawing.clear();
-            let drawn = open.model.draw(&triangle, &mut open.drawing);
-            if let Err(error) = drawn {
-                open.drawing.clear();
-                return Err(refuse(error.to_string()));
-            }
-            Ok(i32::try_from(open.drawing.spans.len()).unwrap_or(i32::MAX))
+            let Given::Primitive(primitive) = given(GUARDBIT_TRIANGLE, numbers)? else {
+                unreachable!("a triangle is no list of words");
+            };
+            let flat = |primitive| match primitive {
+                Primitive::Triangle(Triangle::Lattice { xy, .. }) => {
+                    Primitive::Triangle(Triangle::Lattice { xy, z: None })
+                }
+                other => other,
+            };
+            let has_depth = open.model.depth().is_some();
+            open.draw(&Given::Primitive(if has_depth { primitive } else { flat(primitive) }))
         })
+    })
+}
+
+/// Draws one primitive of any kind that the profile's machine takes: `kind` is `GUARDBIT_TRIANGLE`
+/// to `GUARDBIT_WORDS`, `numbers` its coordinates on the profile's input lattice and in depth codes,
+/// or its words. Returns the number of covered runs, or of records where words were drawn.
+///
+/// # Safety
+/// `numbers` is null or leads to `count` numbers.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_draw_primitive(
+    model: i32,
+    kind: u32,
+    numbers: *const i64,
+    count: u32,
+) -> i32 {
+    answer(|| {
+        // SAFETY: as the caller promises.
+        let numbers = unsafe { numbers_in(numbers, count as usize, "numbers") }?;
+        let given = given(kind, numbers)?;
+        MODELS.with(model, |open| open.draw(&given))
+    })
+}
+
+/// Record `index` of the last words drawn: up to `size` of its words; returns how many it has. Its
+/// letter goes to `letter`.
+///
+/// # Safety
+/// `letter` is null or leads to one byte; `words` is null or leads to `size` words.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_record(
+    model: i32,
+    index: u32,
+    letter: *mut u8,
+    words: *mut u32,
+    size: u32,
+) -> i32 {
+    answer(|| {
+        if letter.is_null() {
+            return Err(null("letter"));
+        }
+        if words.is_null() {
+            return Err(null("words"));
+        }
+        MODELS.with(model, |open| {
+            let kept = &open.records.kept;
+            let none = || few("index", index.into(), kept.len(), "records");
+            let (kind, values) = kept.get(index as usize).ok_or_else(none)?;
+            let Some(registers) = open.model.registers() else { return Err(none()) };
+            let record = &registers.records[*kind];
+            let made: Vec<u32> = record.words(values).collect();
+            // SAFETY: not null, and the caller gives one byte and `size` words.
+            let words = unsafe { std::slice::from_raw_parts_mut(words, size as usize) };
+            for (to, from) in words.iter_mut().zip(&made) {
+                *to = *from;
+            }
+            // SAFETY: not null, and the caller gives one byte. A letter is ASCII.
+            unsafe { letter.write(u8::try_from(record.letter).unwrap_or(b'?')) };
+            count(made.len(), "words")
+        })
+    })
+}
+
+impl Open {
+    /// Draws, and keeps what was drawn; nothing is kept of what is refused.
+    fn draw(&mut self, given: &Given) -> Result<i32, Failure> {
+        self.drawing.clear();
+        self.records = Records::up_to(Records::MOST);
+        let drawn = match given {
+            Given::Primitive(primitive) => self
+                .model
+                .prepare(primitive)
+                .and_then(|primitive| Ok(self.model.draw(&primitive, &mut self.drawing)?)),
+            Given::Words(_) if self.model.registers().is_none() => Err(PrimitiveError::NoRegisters),
+            Given::Words(words) => {
+                let drawn = self.model.draw(words.as_slice(), &mut self.records);
+                drawn.map_err(PrimitiveError::from)
+            }
+        };
+        if let Err(error) = drawn {
+            self.drawing.clear();
+            return Err(Failure::new(GUARDBIT_REFUSED, error.to_string()));
+        }
+        if !self.records.is_whole() {
+            let (total, most) = (self.records.total, Records::MOST);
+            self.records = Records::up_to(Records::MOST);
+            let text = format!("{total} records are drawn, and an answer has at most {most}");
+            return Err(Failure::new(GUARDBIT_REFUSED, text));
+        }
+        match given {
+            Given::Primitive(_) => count(self.drawing.spans.len(), "runs"),
+            Given::Words(_) => count(self.records.kept.len(), "records"),
+        }
+    }
+}
+
+/// A number of things as an answer.
+fn count(length: usize, what: &str) -> Result<i32, Failure> {
+    let most = i32::MAX;
+    i32::try_from(length).map_err(|_| {
+        let text = format!("{length} {what} are more than the {most} that can be answered");
+        Failure::new(GUARDBIT_REFUSED, text)
     })
 }
 
@@ -150,7 +251,7 @@ pub unsafe extern "C" fn guardbit_setup(model: i32, index: u32, word: *mut u32) 
         let value = value.cast_unsigned() & (u128::MAX >> (128 - width));
         // SAFETY: as the caller promises.
         unsafe { word_out(word, "word", value) }?;
-        Ok(i32::try_from(width).unwrap_or(0))
+        count(width as usize, "bits")
     })
 }
 
@@ -179,7 +280,7 @@ pub unsafe extern "C" fn guardbit_column(
             let name = unsafe { std::slice::from_raw_parts_mut(name.cast::<u8>(), length + 1) };
             name[..length].copy_from_slice(&column.name.as_bytes()[..length]);
             name[length] = 0;
-            Ok(i32::try_from(column.width).unwrap_or(0))
+            count(column.width as usize, "bits")
         })
     })
 }

@@ -15,6 +15,45 @@ static void expect(int32_t got, int32_t wanted, const char *says, int line) {
 }
 #define EXPECT(call, wanted, says) expect((call), (wanted), (says), __LINE__)
 
+static void is(int32_t got, int32_t wanted, int line) {
+    if (got != wanted) failed = 1, printf("line %d: %d instead of %d\n", line, (int)got, (int)wanted);
+}
+#define IS(call, wanted) is((call), (wanted), __LINE__)
+
+/* Every kind through one door. */
+static void primitives(void) {
+    /* Half pixels: the samples of pixels 0 to 3 are at 1, 3, 5, 7. */
+    int64_t corner[6] = {0, 0, 8, 0, 0, 8}, line[4] = {1, 1, 5, 1}, far[4] = {1, 1, 99, 1};
+    int64_t square[8] = {0, 0, 8, 0, 8, 8, 0, 8}, clip[9] = {0, 0, 1, 8, 0, 1, 0, 8, 1};
+    int64_t right[10] = {64, 64, 96, 64, 64, 96, 48, 48, 127, 127}, wide[1] = {(int64_t)1 << 32};
+    uint32_t run[3], words[8];
+    uint8_t letter = 0;
+    int32_t tiny = guardbit_open("tiny"), psp = guardbit_open("psp");
+
+    IS(guardbit_draw_primitive(tiny, GUARDBIT_TRIANGLE, corner, 6), 3);
+    IS(guardbit_draw_primitive(tiny, GUARDBIT_POINT, line, 2), 1);
+    IS(guardbit_draw_primitive(tiny, GUARDBIT_LINE, line, 4), 1);
+    EXPECT(guardbit_span(tiny, 0, run), 0, "");
+    if (run[0] != 0 || run[1] != 0 || run[2] != 2) failed = 1, printf("line %u %u %u\n", run[0], run[1], run[2]);
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_LINE, far, 4), GUARDBIT_REFUSED, "line[1][0] = 99");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_LINE, far, 3), GUARDBIT_ARGUMENT, "4 numbers");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_POLYGON, square, 8), GUARDBIT_REFUSED, "polygons");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_POLYGON_DEPTH, square, 8), GUARDBIT_ARGUMENT, "3 numbers for each");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_CLIP, clip, 9), GUARDBIT_REFUSED, "homogeneous");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_WORDS, right, 10), GUARDBIT_REFUSED, "not set-up registers");
+    EXPECT(guardbit_draw_primitive(tiny, 7, right, 10), GUARDBIT_ARGUMENT, "kinds are 0 to 6");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_LINE, 0, 4), GUARDBIT_NULL, "numbers");
+    IS(guardbit_draw_primitive(psp, GUARDBIT_WORDS, right, 10), 3);
+    IS(guardbit_record(psp, 0, &letter, words, 8), 4);
+    /* Twice the legs, 32, times the distances of the sample 7 / 16 from the corner at (4, 4). */
+    if (letter != 'P' || words[0] != (4 | 4 << 16) || words[1] != 32 * 18) failed = 1, printf("record %u\n", words[1]);
+    EXPECT(guardbit_record(psp, 3, &letter, words, 8), GUARDBIT_ARGUMENT, "there are 3 records");
+    EXPECT(guardbit_draw_primitive(psp, GUARDBIT_WORDS, wide, 1), GUARDBIT_ARGUMENT, "4294967295");
+    EXPECT(guardbit_draw_primitive(psp, GUARDBIT_WORDS, right, 9), GUARDBIT_REFUSED, "takes 10");
+    EXPECT(guardbit_close(tiny), 0, "");
+    EXPECT(guardbit_close(psp), 0, "");
+}
+
 int main(void) {
     uint32_t word[4] = {1, 0, 0, 0}, acc[4], out[4], run[3];
     uint64_t acc64, out64, depth[4];
@@ -65,6 +104,7 @@ int main(void) {
     EXPECT(guardbit_draw(model, vertices), GUARDBIT_HANDLE, "no handle");
     EXPECT(guardbit_close(0), GUARDBIT_HANDLE, "no handle");
     EXPECT(guardbit_close(-7), GUARDBIT_HANDLE, "no handle");
+    primitives();
     if (!failed) printf("PASS\n");
     return failed;
 }

@@ -20,9 +20,23 @@ class Model:
         """Takes a built-in name or the path of a TOML file; ValueError if it is refused."""
     @property
     def name(self) -> str: ...
-    def draw(self, vertices: Sequence[Vertex]) -> Drawing:
-        """Draws x, y on the profile's grid and z in depth codes (ignored without depth); ValueError
-        if a vertex is outside its field or the profile refuses."""
+    def draw(
+        self,
+        vertices: Sequence[Sequence[int]] | None = None,
+        *,
+        real: Sequence[Sequence[float]] | None = None,
+        line: Sequence[Sequence[int]] | None = None,
+        point: Sequence[int] | None = None,
+        polygon: Sequence[Sequence[int]] | None = None,
+        clip: Sequence[Sequence[int]] | None = None,
+    ) -> Drawing:
+        """Draws one primitive; exactly one argument is given.
+
+        vertices: a triangle, x, y on the profile's input lattice and z in depth codes (optional, and
+        ignored without depth). real: the same in pixels, snapped by the profile. line: two ends x, y.
+        point: x, y. polygon: three or more vertices x, y or x, y, z. clip: three homogeneous vertices
+        X, Y, W or X, Y, Z, W. ValueError if a coordinate is outside its field, or if the machine does
+        not draw this kind."""
     def words(self, words: Sequence[int]) -> list[tuple[str, list[int]]]:
         """Draws what registers say, on a profile that begins there: 32-bit words in the profile's order;
         each record's letter and words in the order that the hardware draws. ValueError for another number

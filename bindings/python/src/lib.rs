@@ -3,13 +3,65 @@
 use guardbit::dda::Op;
 use guardbit::model::{Drawing, Records};
 use guardbit::profile;
-use guardbit::scene;
+use guardbit::scene::{self, Primitive};
+use guardbit::setup::{ClipTriangle, Polygon};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 /// A refusal as Python's ValueError.
 fn refuse(error: impl ToString) -> PyErr {
     PyValueError::new_err(error.to_string())
+}
+
+/// x, y of three vertices and, of all or none, z.
+fn triangle<T: Copy>(
+    name: &str,
+    vertices: &[Vec<T>],
+    has_depth: bool,
+    make: fn([[T; 2]; 3], Option<[T; 3]>) -> scene::Triangle,
+) -> PyResult<Primitive> {
+    let wrong = || refuse(format!("{name}: x, y or x, y, z of three vertices are needed"));
+    let [a, b, c] = vertices else { return Err(wrong()) };
+    let (xy, z) = match (a.as_slice(), b.as_slice(), c.as_slice()) {
+        ([x0, y0], [x1, y1], [x2, y2]) => ([[*x0, *y0], [*x1, *y1], [*x2, *y2]], None),
+        ([x0, y0, z0], [x1, y1, z1], [x2, y2, z2]) => {
+            ([[*x0, *y0], [*x1, *y1], [*x2, *y2]], Some([*z0, *z1, *z2]))
+        }
+        _ => return Err(wrong()),
+    };
+    Ok(Primitive::Triangle(make(xy, z.filter(|_| has_depth))))
+}
+
+fn integers(xy: [[i128; 2]; 3], z: Option<[i128; 3]>) -> scene::Triangle {
+    scene::Triangle::Lattice { xy, z }
+}
+
+fn reals(xy: [[f64; 2]; 3], z: Option<[f64; 3]>) -> scene::Triangle {
+    scene::Triangle::Real { xy, z }
+}
+
+fn polygon(vertices: &[Vec<i128>]) -> PyResult<Primitive> {
+    let size = vertices.first().map_or(0, Vec::len);
+    let alike = vertices.iter().all(|vertex| vertex.len() == size);
+    if vertices.len() < 3 || !alike || !(2..=3).contains(&size) {
+        let text = "polygon: x, y or x, y, z of three or more vertices are needed, alike for all";
+        return Err(refuse(text));
+    }
+    let z = (size == 3).then(|| vertices.iter().map(|vertex| vertex[2]).collect());
+    let xy = vertices.iter().map(|vertex| [vertex[0], vertex[1]]).collect();
+    Ok(Primitive::Polygon(Polygon { xy, z }))
+}
+
+fn clip(vertices: &[Vec<i128>]) -> PyResult<Primitive> {
+    let wrong = || refuse("clip: X, Y, W or X, Y, Z, W of three vertices are needed");
+    let [a, b, c] = vertices else { return Err(wrong()) };
+    let size = a.len();
+    if !(3..=4).contains(&size) || b.len() != size || c.len() != size {
+        return Err(wrong());
+    }
+    let xyw = [a, b, c].map(|vertex| [vertex[0], vertex[1], vertex[size - 1]]);
+    let z = (size == 4).then(|| [a, b, c].map(|vertex| vertex[2]));
+    Ok(Primitive::Clip(ClipTriangle { xyw, z }))
 }
 
 #[pyclass(frozen)]
@@ -37,12 +89,34 @@ impl Model {
         &self.0.profile().name
     }
 
-    fn draw(&self, vertices: [[i64; 3]; 3]) -> PyResult<Answer> {
-        let xy = vertices.map(|[x, y, _]| [i128::from(x), i128::from(y)]);
-        let z = Some(vertices.map(|[.., z]| i128::from(z)));
-        let triangle = self.0.snap(&scene::Triangle::Lattice { xy, z }).map_err(refuse)?;
+    #[pyo3(signature = (vertices=None, *, real=None, line=None, point=None, polygon=None, clip=None))]
+    fn draw(
+        &self,
+        vertices: Option<Vec<Vec<i128>>>,
+        real: Option<Vec<Vec<f64>>>,
+        line: Option<[[i128; 2]; 2]>,
+        point: Option<[i128; 2]>,
+        polygon: Option<Vec<Vec<i128>>>,
+        clip: Option<Vec<Vec<i128>>>,
+    ) -> PyResult<Answer> {
+        // Depth of a triangle is ignored without depth, as it always was; elsewhere it is refused.
+        let has_depth = self.0.depth().is_some();
+        let given = [
+            vertices.map(|v| triangle("vertices", &v, has_depth, integers)).transpose()?,
+            real.map(|v| triangle("real", &v, has_depth, reals)).transpose()?,
+            line.map(Primitive::Line),
+            point.map(Primitive::Point),
+            polygon.map(|v| self::polygon(&v)).transpose()?,
+            clip.map(|v| self::clip(&v)).transpose()?,
+        ];
+        let mut given = given.into_iter().flatten();
+        let (Some(primitive), None) = (given.next(), given.next()) else {
+            let text = "exactly one of vertices, real, line, point, polygon, clip is needed";
+            return Err(refuse(text));
+        };
+        let primitive = self.0.prepare(&primitive).map_err(refuse)?;
         let mut drawing = Drawing::default();
-        self.0.draw(&triangle, &mut drawing).map_err(refuse)?;
+        self.0.draw(&primitive, &mut drawing).map_err(refuse)?;
         let setup = self.0.ports().setup.iter().zip(&drawing.setup).map(|(column, word)| {
             let mask = u128::MAX >> (128 - column.width);
             (column.name.clone(), word.cast_unsigned() & mask)
@@ -60,7 +134,7 @@ impl Model {
         let registers = registers
             .ok_or_else(|| refuse("this profile's machine draws primitives, not registers"))?;
         let mut records = Records::up_to(Records::MOST);
-        self.0.draw_words(&words, &mut records).map_err(refuse)?;
+        self.0.draw(words.as_slice(), &mut records).map_err(refuse)?;
         if !records.is_whole() {
             let (total, most) = (records.total, Records::MOST);
             return Err(refuse(format!(

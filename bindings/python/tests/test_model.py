@@ -32,6 +32,23 @@ def test_an_edge_is_inside_when_its_sign_is_clear():
     assert walk.clock(1, 0, -1, 0) == ((1 << 35) - 1, 0)
 
 
+def test_every_primitive_goes_through_one_door():
+    tiny = guardbit.Model("tiny")
+    # Half pixels: from (1, 1) to (5, 1), and the diamond of the last pixel is not left.
+    assert tiny.draw(line=[(1, 1), (5, 1)]).rows == [(0, 0, 2)]
+    assert tiny.draw(point=(3, 5)).rows == [(2, 1, 2)]
+    assert tiny.draw(real=[(0, 0), (4, 0), (0, 4)]).rows == [(0, 0, 3), (1, 0, 2), (2, 0, 1)]
+    assert tiny.draw([(0, 0), (8, 0), (0, 8)]).z == []
+    with pytest.raises(ValueError, match="does not draw polygons"):
+        tiny.draw(polygon=[(0, 0), (8, 0), (8, 8), (0, 8)])
+    with pytest.raises(ValueError, match="does not draw homogeneous"):
+        tiny.draw(clip=[(0, 0, 1), (8, 0, 1), (0, 8, 1)])
+    with pytest.raises(ValueError, match="exactly one of"):
+        tiny.draw(line=[(1, 1), (5, 1)], point=(3, 5))
+    with pytest.raises(ValueError, match=r"line\[1\]\[0\] = 99 .* 0 <= x <= 8"):
+        tiny.draw(line=[(1, 1), (99, 1)])
+
+
 def test_registers_are_drawn():
     # Right-angled at (4, 4), two pixels a side, in 1/16: E is 32 times the distance to each side.
     words = [64, 64, 96, 64, 64, 96, 48, 48, 127, 127]
