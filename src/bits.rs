@@ -13,8 +13,9 @@ mod word;
 
 pub use event::{EventLog, Events, Extent, Place, SpanEvents};
 pub use lane::Lane;
-pub use overflow::{Overflow, OverflowError};
+pub use overflow::{Overflow, SumError};
 pub use round::{Rounding, RoundingNames};
 pub use status::{Event, Status};
 pub use text::{hex, hex_digits, push_hex, push_hex_narrow};
-pub use word::{Bits, RunTime, Width, WidthError, Word};
+pub(crate) use word::rescale;
+pub use word::{Bits, Mismatch, RunTime, StaticWidth, Width, WidthError, Word};

@@ -12,5 +12,5 @@ pub use self::fixed::Fixed;
 pub use budget::Budget;
 pub use column::Column;
 pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
-pub use q::{Format, Q, QFormat, QFormatError};
+pub use q::{Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};

@@ -4,7 +4,7 @@
 #[path = "oracle/cover.rs"]
 mod oracle;
 
-use guardbit::bits::{Bits, Event, Lane, Rounding, RunTime, Width, Word};
+use guardbit::bits::{Bits, Event, Lane, Rounding, Width, Word};
 use guardbit::cover::{EdgeWordConfig, FillRule, SampleGrid};
 use guardbit::dda::Linear;
 use guardbit::format::{Clamp, ReadOut};
@@ -16,8 +16,8 @@ use guardbit::setup::{Divider, Division, Triangle};
 // Clauses W-1, W-2, D-1, D-2
 #[test]
 fn all_words_of_up_to_8_bits_add_like_integers() {
-    for bits in 1..=8u32 {
-        let width = RunTime::new(bits).unwrap();
+    fn all<const BITS: u32>() {
+        let (width, bits) = (Bits::<BITS>, BITS);
         let half = 1i128 << (bits - 1);
         let values = -half..half;
         for a in values.clone() {
@@ -37,8 +37,10 @@ fn all_words_of_up_to_8_bits_add_like_integers() {
                 let fits = wrapped == sum;
                 let (over, status) = x.overflowing_add(y);
                 assert_eq!((over.to_i128(), status.has(Event::Wrap)), (wrapped, !fits));
-                assert_eq!(x.wrapping_add(y), over);
-                assert_eq!(over.wrapping_sub(y), x);
+                assert_eq!((x.wrapping_add(y), x + y), (over, over));
+                assert_eq!((over.wrapping_sub(y), over - y), (x, x));
+                assert_eq!(x + -y, x - y);
+                assert_eq!(x < y, a < b);
                 assert_eq!(x.checked_add(y).is_some(), fits);
                 let end = if sum < 0 { -half } else { half - 1 };
                 assert_eq!(x.saturating_add(y).to_i128(), if fits { sum } else { end });
@@ -54,6 +56,14 @@ fn all_words_of_up_to_8_bits_add_like_integers() {
             assert_eq!(Word::saturating(width, beyond).to_i128(), end);
         }
     }
+    all::<1>();
+    all::<2>();
+    all::<3>();
+    all::<4>();
+    all::<5>();
+    all::<6>();
+    all::<7>();
+    all::<8>();
     assert_eq!(Bits::<8>.bits(), 8);
 }
 

@@ -1,8 +1,8 @@
 //! The one-dimensional DDA. Spec clauses `D-1` and `D-2`.
 
-use crate::bits::{Status, Width, Word};
+use crate::bits::{Mismatch, StaticWidth, Status, Width, Word};
 
-/// An accumulator and a slope of the same width.
+/// An accumulator and a slope of the same format.
 ///
 /// Formats: both words share width and binary point. Overflow: every step wraps mod 2^N, so any
 /// walk that returns reads the same bits as direct evaluation. Error: none beyond that of start
@@ -19,14 +19,31 @@ use crate::bits::{Status, Width, Word};
 /// assert_eq!(dda.at(1000).to_bits(), (100 + 60_000) % 256);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Linear<W> {
+pub struct Linear<W: Width> {
     accumulator: Word<W>,
     slope: Word<W>,
 }
 
-impl<W: Width> Linear<W> {
+impl<W: StaticWidth> Linear<W> {
     /// Loads the accumulator.
     pub fn new(start: Word<W>, slope: Word<W>) -> Self {
+        Self { accumulator: start, slope }
+    }
+}
+
+impl<W: Width> Linear<W> {
+    /// Loads the accumulator with words of a format chosen at run time.
+    ///
+    /// # Errors
+    /// [`Mismatch`] if the two formats differ.
+    pub fn try_new(start: Word<W>, slope: Word<W>) -> Result<Self, Mismatch<W>> {
+        start.matches(slope)?;
+        Ok(Self { accumulator: start, slope })
+    }
+
+    /// For callers that know both words to have one format.
+    pub(super) fn of_one_format(start: Word<W>, slope: Word<W>) -> Self {
+        debug_assert_eq!(start.width(), slope.width(), "the caller's words have one format");
         Self { accumulator: start, slope }
     }
 
@@ -35,20 +52,25 @@ impl<W: Width> Linear<W> {
         self.accumulator
     }
 
+    /// One step forward.
+    pub fn step(&mut self) {
+        self.accumulator = self.accumulator.sum(self.slope);
+    }
+
     /// One step forward; the status says whether the signed word wrapped.
-    pub fn step(&mut self) -> Status {
-        let (next, status) = self.accumulator.overflowing_add(self.slope);
+    pub fn overflowing_step(&mut self) -> Status {
+        let (next, status) = self.accumulator.sum_with_status(self.slope);
         self.accumulator = next;
         status
     }
 
     /// One step back, undoing [`Linear::step`] exactly.
     pub fn step_back(&mut self) {
-        self.accumulator = self.accumulator.wrapping_sub(self.slope);
+        self.accumulator = self.accumulator.difference(self.slope);
     }
 
     /// The accumulator after `steps` steps, in closed form.
     pub fn at(&self, steps: i128) -> Word<W> {
-        self.accumulator.wrapping_add(self.slope.wrapping_mul(steps))
+        self.accumulator.sum(self.slope.wrapping_mul(steps))
     }
 }

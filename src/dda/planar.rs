@@ -1,7 +1,7 @@
 //! The planar DDA: one accumulator, an x slope and a y slope. Spec clause `D-3`.
 
 use super::linear::Linear;
-use crate::bits::{Width, Word};
+use crate::bits::{Mismatch, StaticWidth, Width, Word};
 
 /// A plane walked in any direction; every path to a sample reads the same bits.
 ///
@@ -15,16 +15,29 @@ use crate::bits::{Width, Word};
 /// assert_eq!(plane.accumulator().to_bits(), 11);
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Planar<W> {
+pub struct Planar<W: Width> {
     accumulator: Word<W>,
     dx: Word<W>,
     dy: Word<W>,
 }
 
-impl<W: Width> Planar<W> {
-    /// Loads the accumulator.
+impl<W: StaticWidth> Planar<W> {
+    /// Loads the accumulator; dx is the slope to the right, dy the slope downward.
     pub fn new(start: Word<W>, dx: Word<W>, dy: Word<W>) -> Self {
         Self { accumulator: start, dx, dy }
+    }
+}
+
+impl<W: Width> Planar<W> {
+    /// Loads the accumulator with words of a format chosen at run time; dx is the slope to the right,
+    /// dy the slope downward.
+    ///
+    /// # Errors
+    /// [`Mismatch`] if the formats differ.
+    pub fn try_new(start: Word<W>, dx: Word<W>, dy: Word<W>) -> Result<Self, Mismatch<W>> {
+        start.matches(dx)?;
+        start.matches(dy)?;
+        Ok(Self { accumulator: start, dx, dy })
     }
 
     /// The present accumulator.
@@ -34,22 +47,22 @@ impl<W: Width> Planar<W> {
 
     /// One pixel right.
     pub fn step_x(&mut self) {
-        self.accumulator = self.accumulator.wrapping_add(self.dx);
+        self.accumulator = self.accumulator.sum(self.dx);
     }
 
     /// One pixel left.
     pub fn back_x(&mut self) {
-        self.accumulator = self.accumulator.wrapping_sub(self.dx);
+        self.accumulator = self.accumulator.difference(self.dx);
     }
 
     /// One row down.
     pub fn step_y(&mut self) {
-        self.accumulator = self.accumulator.wrapping_add(self.dy);
+        self.accumulator = self.accumulator.sum(self.dy);
     }
 
     /// One row up.
     pub fn back_y(&mut self) {
-        self.accumulator = self.accumulator.wrapping_sub(self.dy);
+        self.accumulator = self.accumulator.difference(self.dy);
     }
 
     /// The accumulator `x` pixels right and `y` rows down from here, in closed form.
@@ -59,6 +72,6 @@ impl<W: Width> Planar<W> {
 
     /// The horizontal DDA `y` rows down from here.
     pub fn row(&self, y: i128) -> Linear<W> {
-        Linear::new(self.accumulator.wrapping_add(self.dy.wrapping_mul(y)), self.dx)
+        Linear::of_one_format(self.accumulator.sum(self.dy.wrapping_mul(y)), self.dx)
     }
 }

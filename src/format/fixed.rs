@@ -2,8 +2,8 @@
 //!
 //! The only file that knows the `fixed` crate; its trait is re-exported as [`Fixed`].
 
-use super::q::{Format, QFormat, QFormatError, rescale};
-use crate::bits::Word;
+use super::q::{QFormat, QFormatError};
+use crate::bits::{Width, Word, rescale};
 use num_traits::AsPrimitive;
 
 /// Any number type of the `fixed` crate, signed or unsigned, 8 to 128 bits.
@@ -22,7 +22,7 @@ impl QFormat {
     }
 }
 
-impl<F: Format> Word<F> {
+impl<F: Width> Word<F> {
     /// A `fixed` number in this format, or `None` if it does not fit or would be rounded.
     ///
     /// ```

@@ -1,17 +1,6 @@
 //! Q-formats: a width and a binary point, as a zero-sized type or a record. Spec clause `F-1`.
 
-use crate::bits::{RunTime, Width, WidthError, Word};
-
-/// A signed fixed-point format: a [`Width`] with a binary point.
-pub trait Format: Width {
-    /// Bits below the binary point.
-    fn fraction(self) -> u32;
-
-    /// Bits above the binary point, the sign included.
-    fn integer(self) -> u32 {
-        self.bits() - self.fraction()
-    }
-}
+use crate::bits::{RunTime, StaticWidth, Width, WidthError};
 
 /// `I` integer bits (the sign included) and `F` fraction bits, fixed in the type.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -23,12 +12,18 @@ impl<const I: u32, const F: u32> Width for Q<I, F> {
         const { assert!(1 <= I + F && I + F <= 128, "a word has 1 to 128 bits") };
         I + F
     }
-}
 
-impl<const I: u32, const F: u32> Format for Q<I, F> {
     #[inline]
     fn fraction(self) -> u32 {
         F
+    }
+}
+
+impl<const I: u32, const F: u32> StaticWidth for Q<I, F> {}
+
+impl<const I: u32, const F: u32> std::fmt::Display for Q<I, F> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Q{I}.{F}")
     }
 }
 
@@ -71,42 +66,15 @@ impl Width for QFormat {
     fn bits(self) -> u32 {
         self.width.bits()
     }
-}
 
-impl Format for QFormat {
     #[inline]
     fn fraction(self) -> u32 {
         self.fraction
     }
 }
 
-impl<F: Format> Word<F> {
-    /// The same value in another format, or `None` if it does not fit or would be rounded.
-    ///
-    /// ```
-    /// use guardbit::{bits::Word, format::Q};
-    /// let half = Word::wrapping(Q::<4, 4>, 8);
-    /// assert_eq!(half.checked_convert(Q::<2, 1>).map(|w| w.to_bits()), Some(1));
-    /// assert_eq!(half.checked_convert(Q::<2, 0>), None); // one half has no integer
-    /// ```
-    pub fn checked_convert<G: Format>(self, format: G) -> Option<Word<G>> {
-        let bits = rescale(self.to_i128(), self.width().fraction(), format.fraction())?;
-        Word::checked(format, bits)
-    }
-}
-
-/// `bits / 2^from` as a multiple of `2^-to`, if it is one and fits.
-pub(super) fn rescale(bits: i128, from: u32, to: u32) -> Option<i128> {
-    if bits == 0 {
-        return Some(0);
-    }
-    if to >= from {
-        let up = to - from;
-        let scaled = if up < 128 { bits << up } else { 0 };
-        (up < 128 && scaled >> up == bits).then_some(scaled)
-    } else {
-        let down = from - to;
-        let kept = bits >> down.min(127);
-        (down <= bits.trailing_zeros()).then_some(kept)
+impl std::fmt::Display for QFormat {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Q{}.{}", self.integer(), self.fraction)
     }
 }

@@ -1,9 +1,9 @@
 //! Words and DDAs against unbounded integers.
 
 use crate::cases;
-use guardbit::bits::{Event, RunTime, Word};
+use guardbit::bits::{Event, Mismatch, Overflow, RunTime, Width as _, Word};
 use guardbit::dda::{Linear, Planar};
-use guardbit::format::{Format as _, Q, QFormat};
+use guardbit::format::{Q, QFormat};
 use num_bigint::BigInt;
 use num_integer::Integer;
 use proptest::prelude::*;
@@ -48,23 +48,54 @@ proptest! {
         prop_assert_eq!(BigInt::from(x.to_bits()), pattern(&a.into(), n));
         prop_assert_eq!(Word::from_bits(x.width(), x.to_bits()), x);
         let sum = &u + &v;
-        prop_assert_eq!(BigInt::from(x.wrapping_add(y).to_i128()), signed(&sum, n));
-        prop_assert_eq!(BigInt::from(x.wrapping_sub(y).to_i128()), signed(&(&u - &v), n));
+        prop_assert_eq!(BigInt::from(x.try_add(y).unwrap().to_i128()), signed(&sum, n));
+        prop_assert_eq!(BigInt::from(x.try_sub(y).unwrap().to_i128()), signed(&(&u - &v), n));
         prop_assert_eq!(BigInt::from(x.wrapping_mul(k).to_i128()), signed(&(&u * k), n));
         let fits = signed(&sum, n) == sum;
-        let (wrapped, status) = x.overflowing_add(y);
-        prop_assert_eq!(wrapped, x.wrapping_add(y));
+        let (wrapped, status) = x.add_with(y, Overflow::Wrap).unwrap();
+        prop_assert_eq!(Ok(wrapped), x.try_add(y));
         prop_assert_eq!(status.has(Event::Wrap), !fits);
-        prop_assert_eq!(x.checked_add(y).map(|w| BigInt::from(w.to_i128())), fits.then(|| sum.clone()));
+        let checked = x.add_with(y, Overflow::Error).ok();
+        prop_assert_eq!(checked.map(|(w, _)| BigInt::from(w.to_i128())), fits.then(|| sum.clone()));
         let (low, high): (BigInt, BigInt) = (-modulus(n - 1), modulus(n - 1) - 1);
         let held = sum.clamp(low.clone(), high.clone());
-        prop_assert_eq!(BigInt::from(x.saturating_add(y).to_i128()), held);
+        let (end, _) = x.add_with(y, Overflow::Saturate).unwrap();
+        prop_assert_eq!(BigInt::from(end.to_i128()), held);
         // Equal as words, too: nothing is left below the word.
-        let end = x.saturating_add(y);
         prop_assert_eq!(end, word(n, end.to_i128()));
         let saturated = BigInt::from(Word::saturating(x.width(), a).to_i128());
         prop_assert_eq!(saturated, BigInt::from(a).clamp(low, high));
         prop_assert_eq!(Word::checked(x.width(), a).is_some(), u == BigInt::from(a));
+    }
+
+    // Clause W-2
+    #[test]
+    fn words_of_two_widths_do_not_mix(n in widths(), m in widths(), a in wide(), b in wide()) {
+        prop_assume!(n != m);
+        let (x, y) = (word(n, a), word(m, b));
+        let refused = Mismatch { left: x.width(), right: y.width() };
+        prop_assert_eq!(x.try_add(y), Err(refused));
+        prop_assert_eq!(x.try_sub(y), Err(refused));
+        prop_assert!(x.add_with(y, Overflow::Wrap).is_err());
+        prop_assert_eq!(Linear::try_new(x, y), Err(refused));
+        prop_assert_eq!(Planar::try_new(x, x, y), Err(refused));
+        prop_assert_eq!(Planar::try_new(x, y, x), Err(refused));
+        prop_assert_eq!(x.partial_cmp(&y), None);
+        prop_assert_ne!(x, y);
+    }
+
+    // Clause W-4: a decimal is the exact value
+    #[test]
+    fn decimals_are_exact(value in wide(), i in 0..=4u32, f in 0..=124u32) {
+        prop_assume!(i + f > 0);
+        let word = Word::wrapping(QFormat::new(i, f).unwrap(), value);
+        let text = word.to_string();
+        let (whole, part) = text.split_once('.').unwrap_or((&text, ""));
+        let digits: BigInt = format!("{whole}{part}").parse().unwrap();
+        // digits / 10^n == value / 2^f
+        let ten = (0..part.len()).fold(BigInt::from(1), |n, _| n * 10);
+        prop_assert_eq!(digits << f, BigInt::from(word.to_i128()) * ten);
+        prop_assert!(!part.ends_with('0'));
     }
 
     // Clause W-4
@@ -87,7 +118,7 @@ proptest! {
         n in widths(), start in wide(), dx in wide(), dy in wide(),
         moves in prop::collection::vec(0..4u8, 0..80), jump in wide(),
     ) {
-        let there = Planar::new(word(n, start), word(n, dx), word(n, dy));
+        let there = Planar::try_new(word(n, start), word(n, dx), word(n, dy)).unwrap();
         let (mut walk, mut x, mut y) = (there, 0i128, 0i128);
         for step in moves {
             match step {
@@ -103,10 +134,10 @@ proptest! {
         // However far, in closed form.
         let exact = BigInt::from(start) + BigInt::from(jump) * dy;
         prop_assert_eq!(BigInt::from(there.row(jump).accumulator().to_bits()), pattern(&exact, n));
-        let mut line = Linear::new(word(n, start), word(n, dx));
+        let mut line = Linear::try_new(word(n, start), word(n, dx)).unwrap();
         let exact = BigInt::from(start) + BigInt::from(jump) * dx;
         prop_assert_eq!(BigInt::from(line.at(jump).to_bits()), pattern(&exact, n));
-        let (before, status) = (line.accumulator(), line.step());
+        let (before, status) = (line.accumulator(), line.overflowing_step());
         let sum = signed(&start.into(), n) + signed(&dx.into(), n);
         prop_assert_eq!(status.has(Event::Wrap), signed(&sum, n) != sum);
         line.step_back();

@@ -137,9 +137,7 @@ fn smallest_areas() -> String {
 
 /// Samples whose stored, walked word has the wrong sign, in 2k+s+1-`less` bits.
 fn wrong_walks(k: u32, s: u32, less: u32, count_all: bool) -> usize {
-    let Ok(width) = RunTime::new(2 * k + s + 1 - less) else {
-        return usize::MAX;
-    };
+    let width = RunTime::new(2 * k + s + 1 - less).unwrap_or_else(|error| unreachable!("{error}"));
     let (half, side) = (1 << (s - 1), 1 << (k + s));
     let mut wrong = 0;
     for (from, to) in pairs(side + 1) {
@@ -148,7 +146,8 @@ fn wrong_walks(k: u32, s: u32, less: u32, count_all: bool) -> usize {
         let word = |value| Word::wrapping(width, value);
         // A step of one pixel changes E by a 2^s, the stored word by a.
         let start = word(Rounding::Floor.shift_right(edge.at(half, half) + bias, s).0);
-        let plane = Planar::new(start, word(edge.a), word(edge.b));
+        let plane = Planar::try_new(start, word(edge.a), word(edge.b))
+            .unwrap_or_else(|error| unreachable!("words of one width: {error}"));
         for y in 0..1 << k {
             for x in 0..1 << k {
                 let exact = edge.at((x << s) + half, (y << s) + half) + bias;
