@@ -17,5 +17,5 @@ pub use overflow::{Overflow, SumError};
 pub use round::{Rounding, RoundingNames};
 pub use status::{Event, Status};
 pub use text::{hex, hex_digits, push_hex, push_hex_narrow};
-pub(crate) use word::rescale;
 pub use word::{Bits, Mismatch, RunTime, StaticWidth, Width, WidthError, Word};
+pub(crate) use word::{decimal, rescale};

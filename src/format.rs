@@ -7,6 +7,7 @@ mod fixed;
 mod layout;
 mod q;
 mod readout;
+mod unreduced;
 
 pub use self::fixed::Fixed;
 pub use budget::Budget;
@@ -14,3 +15,5 @@ pub use column::Column;
 pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
 pub use q::{Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};
+pub(crate) use unreduced::same_fraction;
+pub use unreduced::{FractionMismatch, Unreduced};

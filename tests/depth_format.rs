@@ -9,6 +9,7 @@
 use guardbit::bits::Rounding;
 use guardbit::cover::Rect;
 use guardbit::exact::{Rational, dyadic, integer, ratio, round};
+use guardbit::format::Unreduced;
 use guardbit::machine::Sink;
 use guardbit::measure::resolution::Scale;
 use guardbit::model::{Drawing, Model};
@@ -280,10 +281,11 @@ fn comparisons_are_their_names() {
 #[test]
 fn the_bias_is_constant_and_slope() {
     // Slopes of 3 and -5 ULP a pixel in units of 1/8.
-    let plane = Plane { start: 0, dx: 24, dy: -40 };
+    let [start, dx, dy] = [0, 24, -40].map(|raw| Unreduced::new(raw, 3));
+    let plane = Plane::new(start, dx, dy).unwrap();
     let of = |constant, slope, clamp| {
         let bias = DepthBias { constant, unit: 2, slope, clamp };
-        bias.of(&plane, 3, Rounding::NearestEven)
+        bias.of(&plane, Rounding::NearestEven).raw()
     };
     assert_eq!(of(4, 0, 0), 8 * 8);
     // One and a half times 5 ULP.

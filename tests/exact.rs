@@ -41,11 +41,15 @@ fn planes_are_the_exact_ones_rounded_once() {
         for rounding in Rounding::ALL {
             let plane = Plane::round(&gradient, sample, 10, 13, rounding, Division::Quotient);
             let start = exact::plane_word(triangle.xy, z, sample, 13, rounding);
-            assert_eq!(start, Some(plane.start), "case {index} {rounding}");
+            assert_eq!(start, Some(plane.start().raw()), "case {index} {rounding}");
             let rounded = slopes
                 .clone()
                 .map(|slope| exact::round(&(slope * exact::integer(1 << 23)), rounding));
-            assert_eq!(rounded, [plane.dx.into(), plane.dy.into()], "case {index} {rounding}");
+            assert_eq!(
+                rounded,
+                [plane.dx().raw().into(), plane.dy().raw().into()],
+                "case {index} {rounding}"
+            );
         }
     }
 }

@@ -18,9 +18,9 @@ pub trait Width: Copy + Eq + fmt::Debug + fmt::Display {
         0
     }
 
-    /// Bits above the binary point, the sign included.
+    /// Bits above the binary point, the sign included; none where the fraction takes all bits.
     fn integer(self) -> u32 {
-        self.bits() - self.fraction()
+        self.bits().saturating_sub(self.fraction())
     }
 }
 

@@ -4,7 +4,7 @@ use super::rule::FillRule;
 use super::sample::SampleGrid;
 use crate::bits::Lane;
 use crate::dda::Edges;
-use crate::format::{Clamp, ReadOut};
+use crate::format::{Clamp, QFormat, ReadOut, Unreduced};
 use crate::setup::{EdgeCoefficients, Triangle, VertexConfig, edges};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -88,44 +88,88 @@ impl EdgeWordConfig {
         }
     }
 
-    /// The three edge words of a normalised triangle at pixel (0, 0), and their steps, unreduced.
+    /// Fraction bits of an edge word, in pixels squared: E has twice the sub-pixel bits, and storage
+    /// may drop one half of them.
+    pub const fn fraction(&self, sub_pixel: u32) -> u32 {
+        match self.storage {
+            EdgeStorage::Full => 2 * sub_pixel,
+            EdgeStorage::Shifted => sub_pixel,
+        }
+    }
+
+    /// The format of its words, in pixels squared.
+    ///
+    /// # Errors
+    /// [`EdgeWordError`] unless it has 2 to 120 bits.
+    pub fn format(&self, sub_pixel: u32) -> Result<QFormat, EdgeWordError> {
+        self.validate()?;
+        QFormat::of_width(self.width, self.fraction(sub_pixel))
+            .map_err(|_| EdgeWordError(self.width))
+    }
+
+    /// The three edge values of a normalised triangle at pixel (0, 0), and their steps, before they
+    /// are cut to words.
     pub fn words(&self, triangle: &Triangle, grid: &SampleGrid) -> EdgeWords {
+        let fraction = self.fraction(grid.sub_pixel);
         let scale = match self.storage {
             EdgeStorage::Full => grid.sub_pixel,
             EdgeStorage::Shifted => 0,
         };
-        let mut words = EdgeWords { value: [0; 3], step_x: [0; 3], step_y: [0; 3] };
+        let mut words =
+            EdgeWords { width: self.width, fraction, start: [0; 3], dx: [0; 3], dy: [0; 3] };
         for (k, edge) in edges(triangle).iter().enumerate() {
             let e = edge.at(grid.offset[0], grid.offset[1]);
-            words.value[k] = self.stored(e + self.bias(edge), grid);
-            words.step_x[k] = edge.a << scale;
-            words.step_y[k] = edge.b << scale;
+            words.start[k] = self.stored(e + self.bias(edge), grid);
+            words.dx[k] = edge.a << scale;
+            words.dy[k] = edge.b << scale;
         }
         words
     }
 }
 
-/// Unreduced edge values at pixel (0, 0) and their steps per pixel.
+/// Three edge values at pixel (0, 0), biased and stored, with their steps per pixel, before they are
+/// cut to words; and the width of the words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EdgeWords {
-    /// Biased and stored values.
-    pub value: [i128; 3],
-    /// Steps per pixel to the right.
-    pub step_x: [i128; 3],
-    /// Steps per row downward.
-    pub step_y: [i128; 3],
+    width: u32,
+    fraction: u32,
+    start: [i128; 3],
+    dx: [i128; 3],
+    dy: [i128; 3],
 }
 
 impl EdgeWords {
+    /// Edge k at pixel (0, 0). Range: `k < 3`.
+    #[inline]
+    pub const fn start(&self, k: usize) -> Unreduced {
+        Unreduced::new(self.start[k], self.fraction)
+    }
+
+    /// Step of edge k per pixel to the right.
+    #[inline]
+    pub const fn dx(&self, k: usize) -> Unreduced {
+        Unreduced::new(self.dx[k], self.fraction)
+    }
+
+    /// Step of edge k per row downward.
+    #[inline]
+    pub const fn dy(&self, k: usize) -> Unreduced {
+        Unreduced::new(self.dy[k], self.fraction)
+    }
+
+    /// Edge k at pixel (x, y).
+    #[inline]
+    pub const fn at(&self, k: usize, x: i128, y: i128) -> Unreduced {
+        Unreduced::new(self.start[k] + self.dx[k] * x + self.dy[k] * y, self.fraction)
+    }
+
     /// The words at pixel (x, y), left-justified in a lane: reduced mod 2^width.
-    pub fn lanes<L: Lane>(&self, width: u32, x: u32, y: u32) -> Edges<L> {
-        let at = |k: usize| {
-            self.value[k] + self.step_x[k] * i128::from(x) + self.step_y[k] * i128::from(y)
-        };
+    pub fn lanes<L: Lane>(&self, x: u32, y: u32) -> Edges<L> {
+        let word = |value: i128| L::justify(value, self.width);
         Edges {
-            value: std::array::from_fn(|k| L::justify(at(k), width)),
-            step_x: self.step_x.map(|step| L::justify(step, width)),
-            step_y: self.step_y.map(|step| L::justify(step, width)),
+            value: [0, 1, 2].map(|k| word(self.at(k, x.into(), y.into()).raw())),
+            step_x: self.dx.map(word),
+            step_y: self.dy.map(word),
         }
     }
 }

@@ -1,5 +1,7 @@
 //! One column of a vector file, and one port of a machine.
 
+use super::q::QFormat;
+use crate::bits::{Width, WidthError};
 use serde::{Deserialize, Serialize};
 
 /// A fixed-point column: everything a bench, a package or a wave viewer has to know of one word.
@@ -24,6 +26,19 @@ impl Column {
     /// A column of the given shape.
     pub fn new(name: &str, width: u32, signed: bool, fraction: u32, meaning: &str) -> Self {
         Self { name: name.to_owned(), width, signed, fraction, meaning: meaning.to_owned() }
+    }
+
+    /// A column of words of this format.
+    pub fn of(name: &str, format: QFormat, signed: bool, meaning: &str) -> Self {
+        Self::new(name, format.bits(), signed, format.fraction(), meaning)
+    }
+
+    /// The format of its words.
+    ///
+    /// # Errors
+    /// [`WidthError`] unless the column has 1 to 128 bits.
+    pub fn format(&self) -> Result<QFormat, WidthError> {
+        QFormat::of_width(self.width, self.fraction)
     }
 
     /// Hexadecimal digits of one word: the width padded to whole nibbles.

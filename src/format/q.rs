@@ -59,6 +59,15 @@ impl QFormat {
         let bits = integer.checked_add(fraction).ok_or(QFormatError::Sum { integer, fraction })?;
         Ok(Self { width: RunTime::new(bits)?, fraction })
     }
+
+    /// A word of `bits` bits that counts units of `2^-fraction`. It may have fewer bits than the
+    /// fraction: then it holds the lowest of them, and no integer bit.
+    ///
+    /// # Errors
+    /// [`WidthError`] unless `1 <= bits <= 128`.
+    pub fn of_width(bits: u32, fraction: u32) -> Result<Self, WidthError> {
+        Ok(Self { width: RunTime::new(bits)?, fraction })
+    }
 }
 
 impl Width for QFormat {
@@ -75,6 +84,11 @@ impl Width for QFormat {
 
 impl std::fmt::Display for QFormat {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "Q{}.{}", self.integer(), self.fraction)
+        let (bits, fraction) = (self.bits(), self.fraction);
+        if fraction <= bits {
+            write!(f, "Q{}.{fraction}", bits - fraction)
+        } else {
+            write!(f, "{bits} bits of 2^-{fraction}")
+        }
     }
 }

@@ -1,5 +1,6 @@
 //! Guard bits and their decoding on read-out. Spec clauses `G-1` to `G-6`.
 
+use super::q::QFormat;
 use crate::bits::{Event, Lane, Status};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -128,6 +129,13 @@ impl ReadOut {
     #[inline]
     pub const fn clamp(self) -> Clamp {
         self.clamp
+    }
+
+    /// The accumulator's format: guard and integer bits above the binary point, the fraction below.
+    pub fn format(self) -> QFormat {
+        // `new` has bounded the width by 120.
+        QFormat::of_width(self.width(), self.fraction)
+            .unwrap_or_else(|error| unreachable!("{error}"))
     }
 
     /// The largest result, 2^i - 1.

@@ -131,7 +131,8 @@ impl Weighted {
         let mut sum = self.base << config.coordinate;
         for (share, rise) in self.shares.iter().zip(self.rise) {
             // The word of the DDA: mod 2^(C+2), signed.
-            let word = share.at(i128::from(x), i128::from(y)) << (128 - width) >> (128 - width);
+            let word =
+                share.at(i128::from(x), i128::from(y)).raw() << (128 - width) >> (128 - width);
             sum += word * rise;
         }
         let fraction = self.depth.read_out().fraction();
@@ -185,9 +186,9 @@ impl Barycentric {
     fn words(&self, triangle: &Triangle, weighted: Option<&Weighted>) -> Vec<i128> {
         let mut words = setup_words(&self.config.edge.words(triangle, &self.target.grid));
         if self.depth.is_some() {
-            let none = [Plane::default(); 2];
+            let none = [Plane::zero(self.config.coordinate); 2];
             for share in weighted.map_or(none, |weighted| weighted.shares) {
-                words.extend([share.start, share.dx, share.dy]);
+                words.extend(share.raw());
             }
             words.extend(weighted.map_or([0; 3], |w| [w.base, w.rise[0], w.rise[1]]));
         }

@@ -4,9 +4,9 @@
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
-use crate::cover::{EdgeStorage, EdgeWordConfig, EdgeWords, for_each_run};
+use crate::cover::{EdgeWordConfig, EdgeWords, for_each_run};
 use crate::dda::{Processor, row_inside};
-use crate::format::Column;
+use crate::format::{Column, Unreduced};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 
@@ -57,7 +57,7 @@ impl EdgeFunction {
         [x0, y0, x1, y1]: [u32; 4],
         out: &mut dyn FnMut(u32, u32, u32) -> Result<(), DrawError>,
     ) -> Result<(), DrawError> {
-        let mut row = words.lanes::<L>(self.edges.width, x0, y0);
+        let mut row = words.lanes::<L>(x0, y0);
         let mut mask = Vec::new();
         for y in y0..y1 {
             row_inside(self.processor, row, x1 - x0, &mut mask);
@@ -97,17 +97,14 @@ pub(super) fn setup_words(words: &EdgeWords) -> Vec<i128> {
     // Room for the three words of a plane behind them.
     let mut setup = Vec::with_capacity(12);
     for k in 0..3 {
-        setup.extend([words.value[k], words.step_x[k], words.step_y[k]]);
+        setup.extend([words.start(k), words.dx(k), words.dy(k)].map(Unreduced::raw));
     }
     setup
 }
 
 /// The set-up columns of three edges.
 pub(super) fn edge_columns(edges: EdgeWordConfig, vertex: &VertexConfig) -> Vec<Column> {
-    let fraction = match edges.storage {
-        EdgeStorage::Full => 2 * vertex.sub_pixel,
-        EdgeStorage::Shifted => vertex.sub_pixel,
-    };
+    let fraction = edges.fraction(vertex.sub_pixel);
     let edge = |k| {
         let names = [
             (format!("e{k}"), format!("Edge {k} at pixel (0, 0), biased and stored.")),

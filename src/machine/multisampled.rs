@@ -163,9 +163,9 @@ impl Machine for Multisampled {
         if self.depth.is_some() {
             let starts = if self.config.depth == DepthAt::Centre { 1 } else { self.samples.len() };
             let planes = planes.as_ref().map_or(&[][..], |(_, planes)| planes);
-            let first = planes.first().copied().unwrap_or_default();
-            setup.extend((0..starts).map(|n| planes.get(n).map_or(0, |plane| plane.start)));
-            setup.extend([first.dx, first.dy]);
+            let words = |n: usize| planes.get(n).map_or([0; 3], Plane::raw);
+            setup.extend((0..starts).map(|n| words(n)[0]));
+            setup.extend_from_slice(&words(0)[1..]);
         }
         out.setup(&setup);
         let Some(bounds) = bounds(&samples) else { return Ok(()) };

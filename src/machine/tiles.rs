@@ -76,7 +76,7 @@ impl<L: Lane> Corners<L> {
         let span = i128::from(tile - 1);
         let corner = |k: usize, sign: i128| {
             let toward = |step: i128| if step * sign > 0 { step * span } else { 0 };
-            L::justify(toward(words.step_x[k]) + toward(words.step_y[k]), width)
+            L::justify(toward(words.dx(k).raw()) + toward(words.dy(k).raw()), width)
         };
         Self {
             highest: std::array::from_fn(|k| corner(k, 1)),
@@ -127,7 +127,7 @@ impl Tiles {
         for top in (y0 / tile * tile..y1).step_by(tile as usize) {
             rows.fill(0);
             for left in (begin..x1).step_by(tile as usize) {
-                let edges = words.lanes::<L>(width, left, top);
+                let edges = words.lanes::<L>(left, top);
                 work.tiles += 1;
                 let class = corners.classify(&edges);
                 if class == Tile::Outside {

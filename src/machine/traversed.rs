@@ -47,22 +47,20 @@ impl Cursor<'_> {
         let Some([from_x, from_y]) = self.at.replace([x, y]) else {
             // Loaded at the first stamp.
             for k in 0..3 {
-                self.value[k] = self.words.value[k]
-                    + self.words.step_x[k] * i128::from(x)
-                    + self.words.step_y[k] * i128::from(y);
+                self.value[k] = self.words.at(k, x.into(), y.into()).raw();
             }
             if let Some((depth, plane, value)) = &mut self.depth {
                 *value = if depth.read_out().clamp() == Clamp::Saturate {
                     depth.held(plane, x, y)
                 } else {
-                    plane.at(i128::from(x), i128::from(y))
+                    plane.at(i128::from(x), i128::from(y)).raw()
                 };
             }
             return;
         };
         let (dx, dy) = (i128::from(x) - i128::from(from_x), i128::from(y) - i128::from(from_y));
         for k in 0..3 {
-            self.value[k] += self.words.step_x[k] * dx + self.words.step_y[k] * dy;
+            self.value[k] += self.words.dx(k).raw() * dx + self.words.dy(k).raw() * dy;
         }
         let stamps = [(x, from_x, self.size[0]), (y, from_y, self.size[1])];
         self.work.steps +=
@@ -74,14 +72,14 @@ impl Cursor<'_> {
 
     /// A depth accumulator some pixels on: a sum, or for a sticky one what its steps leave.
     fn moved(depth: &Depth, plane: &Plane, value: i128, dx: i128, dy: i128) -> i128 {
-        let read = depth.read_out();
+        let (read, [_, slopes @ ..]) = (depth.read_out(), plane.raw());
         if read.clamp() != Clamp::Saturate {
-            return value + plane.dx * dx + plane.dy * dy;
+            return value + slopes[0] * dx + slopes[1] * dy;
         }
         let mut at = value;
         for (op, steps) in [(Op::StepY, dy), (Op::StepX, dx)] {
             let sign = steps.signum();
-            let mut walker = Walker::new(read, at, sign * plane.dx, sign * plane.dy);
+            let mut walker = Walker::new(read, at, sign * slopes[0], sign * slopes[1]);
             walker.clock(Op::Load);
             (0..steps.unsigned_abs()).for_each(|_| walker.clock(op));
             at = walker.accumulator();
@@ -104,12 +102,12 @@ impl Visitor for Cursor<'_> {
         {
             self.work.visits += 1;
             let value: [i128; 3] = std::array::from_fn(|k| {
-                let step = self.words.step_x[k] * i128::from(right)
-                    + self.words.step_y[k] * i128::from(down);
+                let step = self.words.dx(k).raw() * i128::from(right)
+                    + self.words.dy(k).raw() * i128::from(down);
                 self.word(self.value[k] + step)
             });
             let negative = |sign: i128| {
-                (0..3).any(|k| value[k] < 0 && self.words.step_x[k].signum() * sign >= 0)
+                (0..3).any(|k| value[k] < 0 && self.words.dx(k).raw().signum() * sign >= 0)
             };
             // A negative value that falls to the left stays negative there.
             outside.left &= negative(1);
@@ -136,8 +134,8 @@ impl Visitor for Cursor<'_> {
         let span = i128::from(side - 1);
         let mut whole = true;
         for k in 0..3 {
-            let (a, b) = (self.words.step_x[k], self.words.step_y[k]);
-            let first = self.words.value[k] + a * i128::from(x) + b * i128::from(y);
+            let (a, b) = (self.words.dx(k).raw(), self.words.dy(k).raw());
+            let first = self.words.start(k).raw() + a * i128::from(x) + b * i128::from(y);
             let ends = |up: bool| {
                 let toward = |step: i128| if (step > 0) == up { step * span } else { 0 };
                 self.word(first + toward(a) + toward(b))

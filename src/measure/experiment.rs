@@ -6,6 +6,7 @@ use crate::bits::Rounding;
 use crate::case::Words;
 use crate::cover::{FillRule, LineConfig, Rect, SampleGrid, scan};
 use crate::exact::PlaneNumerator;
+use crate::format::Unreduced;
 use crate::machine::EdgeWalkConfig;
 use crate::setup::{Gradient, Triangle};
 use crate::value::DepthBias;
@@ -217,10 +218,13 @@ fn outlines() -> Vec<OutlineRow> {
             continue;
         }
         let filled: BTreeSet<u32> = covered(v, &grid).into_iter().collect();
-        let slope = |k: usize| (plane.slope[k] << grid.sub_pixel).div_euclid(plane.whole);
-        let walked = crate::setup::Plane { start: 0, dx: slope(0), dy: slope(1) };
+        let slope = |k: usize| {
+            Unreduced::new((plane.slope[k] << grid.sub_pixel).div_euclid(plane.whole), 0)
+        };
+        let walked = crate::setup::Plane::new(Unreduced::new(0, 0), slope(0), slope(1))
+            .unwrap_or_else(|error| unreachable!("{error}"));
         let bias = DepthBias { constant: 1, unit: 1, slope: 256, clamp: 0 };
-        let bias = bias.of(&walked, 0, Rounding::Ceiling);
+        let bias = bias.of(&walked, Rounding::Ceiling);
         for k in 0..3 {
             let (a, b) = (v[k], v[(k + 1) % 3]);
             let d = [b[0] - a[0], b[1] - a[1]];
@@ -233,7 +237,7 @@ fn outlines() -> Vec<OutlineRow> {
                 let surface = plane.at(at).div_euclid(plane.whole);
                 let along = at[major] - a[major];
                 let own = z[k] + ((z[(k + 1) % 3] - z[k]) * along).div_euclid(d[major]);
-                for (count, depth) in counts.iter_mut().zip([own, own - bias, surface]) {
+                for (count, depth) in counts.iter_mut().zip([own, own - bias.raw(), surface]) {
                     count[0] += 1;
                     count[1] += u64::from(depth > surface);
                 }

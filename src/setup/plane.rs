@@ -2,7 +2,9 @@
 
 use super::divide::Division;
 use super::triangle::Triangle;
-use crate::bits::Rounding;
+use crate::bits::{Rounding, Width as _, Word};
+use crate::dda::Planar;
+use crate::format::{FractionMismatch, QFormat, Unreduced, same_fraction};
 
 /// The exact gradient of a value over a triangle: numerators over twice the area.
 ///
@@ -33,19 +35,33 @@ impl Gradient {
     }
 }
 
-/// A plane in accumulator units of 2^-fraction ULP: start at pixel (0, 0) and the two slopes per
-/// pixel, unreduced. The word is these mod 2^N.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+/// A plane before it is cut to words: its value at the sample of pixel (0, 0) and its two slopes per
+/// pixel, all in units of 2^-fraction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Plane {
-    /// Value at the sample of pixel (0, 0) of the window.
-    pub start: i128,
-    /// Change per pixel to the right.
-    pub dx: i128,
-    /// Change per row downward.
-    pub dy: i128,
+    fraction: u32,
+    start: i128,
+    dx: i128,
+    dy: i128,
 }
 
 impl Plane {
+    /// A plane of these values.
+    ///
+    /// # Errors
+    /// [`FractionMismatch`] if they do not count the same units.
+    pub fn new(start: Unreduced, dx: Unreduced, dy: Unreduced) -> Result<Self, FractionMismatch> {
+        let fraction = start.fraction();
+        same_fraction(fraction, dx.fraction())?;
+        same_fraction(fraction, dy.fraction())?;
+        Ok(Self { fraction, start: start.raw(), dx: dx.raw(), dy: dy.raw() })
+    }
+
+    /// Zero everywhere.
+    pub const fn zero(fraction: u32) -> Self {
+        Self { fraction, start: 0, dx: 0, dy: 0 }
+    }
+
     /// Rounds the exact plane: the start once, each slope once. `sample` is the sample's offset in
     /// its pixel and `sub_pixel` the grid, so a pixel is `2^sub_pixel` sub-pixels.
     ///
@@ -71,7 +87,7 @@ impl Plane {
             }
         };
         let slope = |numerator| divider.apply(numerator, sub_pixel + fraction, rounding).0;
-        Self { start, dx: slope(gradient.x), dy: slope(gradient.y) }
+        Self { fraction, start, dx: slope(gradient.x), dy: slope(gradient.y) }
     }
 
     /// The same for a plane given by its value at pixel (0, 0) and its slopes per sub-pixel, all
@@ -86,12 +102,57 @@ impl Plane {
     ) -> Self {
         let divider = division.by(whole);
         let slope = |numerator| divider.apply(numerator, sub_pixel + fraction, rounding).0;
-        Self { start: divider.apply(start, fraction, rounding).0, dx: slope(x), dy: slope(y) }
+        let start = divider.apply(start, fraction, rounding).0;
+        Self { fraction, start, dx: slope(x), dy: slope(y) }
+    }
+
+    /// The plane whose values are all higher by `bias`.
+    ///
+    /// # Errors
+    /// [`FractionMismatch`] if the bias counts other units.
+    pub fn raised(self, bias: Unreduced) -> Result<Self, FractionMismatch> {
+        same_fraction(self.fraction, bias.fraction())?;
+        Ok(Self { start: self.start + bias.raw(), ..self })
+    }
+
+    /// Start, dx and dy in units of `2^-fraction`.
+    #[inline]
+    pub const fn raw(&self) -> [i128; 3] {
+        [self.start, self.dx, self.dy]
+    }
+
+    /// Value at the sample of pixel (0, 0) of the window.
+    #[inline]
+    pub const fn start(&self) -> Unreduced {
+        Unreduced::new(self.start, self.fraction)
+    }
+
+    /// Change per pixel to the right.
+    #[inline]
+    pub const fn dx(&self) -> Unreduced {
+        Unreduced::new(self.dx, self.fraction)
+    }
+
+    /// Change per row downward.
+    #[inline]
+    pub const fn dy(&self) -> Unreduced {
+        Unreduced::new(self.dy, self.fraction)
     }
 
     /// The unwrapped value at pixel (x, y).
     #[inline]
-    pub fn at(&self, x: i128, y: i128) -> i128 {
-        self.start + self.dx * x + self.dy * y
+    pub const fn at(&self, x: i128, y: i128) -> Unreduced {
+        Unreduced::new(self.start + self.dx * x + self.dy * y, self.fraction)
+    }
+
+    /// The plane as a register walks it: each value mod 2^N.
+    ///
+    /// # Errors
+    /// [`FractionMismatch`] if the word counts other units.
+    pub fn words(&self, format: QFormat) -> Result<Planar<QFormat>, FractionMismatch> {
+        same_fraction(self.fraction, format.fraction())?;
+        let word = |value: i128| Word::wrapping(format, value);
+        let (start, dx, dy) = (word(self.start), word(self.dx), word(self.dy));
+        Ok(Planar::try_new(start, dx, dy).unwrap_or_else(|error| unreachable!("{error}")))
     }
 }

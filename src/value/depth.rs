@@ -4,7 +4,7 @@ use super::depth_format::{DepthFormat, DepthFormatError};
 use crate::bits::{Place, Rounding, SpanEvents};
 use crate::cover::SampleGrid;
 use crate::dda::{Line, Processor, Walker, row_values};
-use crate::format::{Clamp, Decode, ReadOut, ReadOutError};
+use crate::format::{Clamp, Decode, ReadOut, ReadOutError, Unreduced};
 use crate::setup::{Division, DivisionError, Gradient, Plane, Triangle, VertexConfig};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -130,20 +130,23 @@ impl Depth {
     pub fn plane(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> Plane {
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
         let gradient = Gradient::new(triangle, z);
-        let mut plane =
+        let plane =
             Plane::round(&gradient, grid.offset, grid.sub_pixel, interpolation, rounding, division);
-        plane.start += self.start_bias();
-        plane
+        self.biased(plane)
     }
 
     /// The rounded plane of a value given by its numerators at pixel (0, 0) and its slopes per
     /// sub-pixel, over `whole > 0`: for homogeneous set-up, unreduced.
     pub fn plane_over(&self, numerators: [i128; 3], whole: i128, grid: &SampleGrid) -> Plane {
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
-        let mut plane =
+        let plane =
             Plane::over(numerators, whole, grid.sub_pixel, interpolation, rounding, division);
-        plane.start += self.start_bias();
-        plane
+        self.biased(plane)
+    }
+
+    fn biased(&self, plane: Plane) -> Plane {
+        let bias = Unreduced::new(self.start_bias(), self.config.interpolation);
+        plane.raised(bias).unwrap_or_else(|error| unreachable!("a plane of this budget: {error}"))
     }
 
     /// The configuration.
@@ -190,13 +193,14 @@ impl Depth {
             }
             return;
         }
-        let start = plane.at(i128::from(x), i128::from(y));
+        let start = plane.at(i128::from(x), i128::from(y)).raw();
+        let dx = plane.dx().raw();
         match (self.narrow, self.wide) {
             (Some(decode), _) => {
-                row_values(self.processor, decode, decode.load(start), decode.slope(plane.dx), out);
+                row_values(self.processor, decode, decode.load(start), decode.slope(dx), out);
             }
             (None, Some(decode)) => {
-                row_values(self.processor, decode, decode.load(start), decode.slope(plane.dx), out);
+                row_values(self.processor, decode, decode.load(start), decode.slope(dx), out);
             }
             (None, None) => self.sticky_span(plane, y, x, out),
         }
@@ -215,9 +219,10 @@ impl Depth {
     pub fn held(&self, plane: &Plane, x: u32, y: u32) -> i128 {
         let (x, y) = (i128::from(x), i128::from(y));
         if self.read.clamp() == Clamp::Saturate {
-            return Walker::new(self.read, plane.start, plane.dx, plane.dy).path(x, y);
+            let [start, dx, dy] = plane.raw();
+            return Walker::new(self.read, start, dx, dy).path(x, y);
         }
-        self.read.reduce(plane.at(x, y)).clamp(0, self.read.top() - 1)
+        self.read.reduce(plane.at(x, y).raw()).clamp(0, self.read.top() - 1)
     }
 
     /// The accumulator at pixel (x, y) before any read-out: unwrapped, and for a sticky one what its
@@ -226,14 +231,14 @@ impl Depth {
         if self.read.clamp() == Clamp::Saturate {
             self.held(plane, x, y)
         } else {
-            plane.at(i128::from(x), i128::from(y))
+            plane.at(i128::from(x), i128::from(y)).raw()
         }
     }
 
     /// The events of the run of `count` samples from pixel (x, y) rightward, in closed form.
     pub fn events(&self, plane: &Plane, y: u32, x: u32, count: u32) -> SpanEvents {
-        let start = plane.at(i128::from(x), i128::from(y));
-        let line = Line { start, slope: plane.dx, count: u64::from(count) };
+        let start = plane.at(i128::from(x), i128::from(y)).raw();
+        let line = Line { start, slope: plane.dx().raw(), count: u64::from(count) };
         line.events(self.read, Place { y: i64::from(y), x: i64::from(x) })
     }
 }

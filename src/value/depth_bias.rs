@@ -1,6 +1,7 @@
 //! Depth bias, or polygon offset: state of a draw call, not of a rasterizer. Spec clause `Z-7`.
 
 use crate::bits::Rounding;
+use crate::format::Unreduced;
 use crate::setup::Plane;
 
 /// What is added to every depth of a triangle: `constant r + slope max(|dz/dx|, |dz/dy|)`.
@@ -19,18 +20,19 @@ pub struct DepthBias {
 }
 
 impl DepthBias {
-    /// The bias of a plane in accumulator units of 2^-fraction ULP, its slope term rounded once; to be
-    /// added to the start.
+    /// The bias of a plane, in its units, its slope term rounded once; to be added to the start.
     ///
     /// Growth: the slope's bits plus those of the multiple.
-    pub fn of(&self, plane: &Plane, fraction: u32, rounding: Rounding) -> i128 {
-        let steepest = plane.dx.abs().max(plane.dy.abs());
+    pub fn of(&self, plane: &Plane, rounding: Rounding) -> Unreduced {
+        let ([_, dx, dy], fraction) = (plane.raw(), plane.start().fraction());
+        let steepest = dx.abs().max(dy.abs());
         let (sloped, _) = rounding.shift_right(self.slope * steepest, 8);
         let bias = ((self.constant * i128::from(self.unit)) << fraction) + sloped;
-        match self.clamp.signum() {
+        let held = match self.clamp.signum() {
             1 => bias.min(self.clamp << fraction),
             -1 => bias.max(self.clamp << fraction),
             _ => bias,
-        }
+        };
+        Unreduced::new(held, fraction)
     }
 }

@@ -158,16 +158,16 @@ impl Interpolator {
     pub fn at(&self, x: u32, y: u32, span: [u32; 2]) -> Option<i128> {
         let InterpolationConfig { by, fraction, rounding } = self.config;
         let (px, py) = (i128::from(x), i128::from(y));
-        let over = self.over.at(px, py);
+        let over = self.over.at(px, py).raw();
         match by {
             Interpolation::Affine => Some(over),
-            Interpolation::Divide => self.divided(over, self.inverse.at(px, py)),
+            Interpolation::Divide => self.divided(over, self.inverse.at(px, py).raw()),
             Interpolation::ConstantW => {
                 let middle = i128::from(span[0]) + i128::from(span[1] - span[0]) / 2;
-                self.divided(over, self.inverse.at(middle, py))
+                self.divided(over, self.inverse.at(middle, py).raw())
             }
             Interpolation::Reciprocal { bits } => {
-                let inverse = self.inverse.at(px, py);
+                let inverse = self.inverse.at(px, py).raw();
                 (inverse > 0).then(|| {
                     Division::Reciprocal { bits }.by(inverse).apply(over, fraction, rounding).0
                 })
@@ -196,12 +196,13 @@ impl Interpolator {
     /// (over' inverse - over inverse') / inverse^2, in attribute units a pixel. `None` at the horizon.
     pub fn derivatives(&self, x: u32, y: u32) -> Option<([i128; 2], i128)> {
         let (px, py) = (i128::from(x), i128::from(y));
+        let ([_, over_dx, over_dy], [_, dx, dy]) = (self.over.raw(), self.inverse.raw());
         if self.config.by == Interpolation::Affine {
-            return Some(([self.over.dx, self.over.dy], 1 << self.config.fraction));
+            return Some(([over_dx, over_dy], 1 << self.config.fraction));
         }
-        let (over, inverse) = (self.over.at(px, py), self.inverse.at(px, py));
+        let (over, inverse) = (self.over.at(px, py).raw(), self.inverse.at(px, py).raw());
         let slope = |d: i128, e: i128| d * inverse - over * e;
-        let slopes = [slope(self.over.dx, self.inverse.dx), slope(self.over.dy, self.inverse.dy)];
+        let slopes = [slope(over_dx, dx), slope(over_dy, dy)];
         (inverse > 0).then_some((slopes, inverse * inverse))
     }
 

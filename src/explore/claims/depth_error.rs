@@ -105,7 +105,8 @@ fn measure(rounding: Rounding, fraction: u32) -> Measured {
             real(error(&gradient, &plane, pixel, 10, fraction)) / real(gradient.area2 << fraction);
         worst = worst.max(off.abs());
         sum += off;
-        let walked = Rounding::NearestUp.shift_right(plane.at(pixel[0], pixel[1]), fraction).0;
+        let walked =
+            Rounding::NearestUp.shift_right(plane.at(pixel[0], pixel[1]).raw(), fraction).0;
         let right = Rounding::NearestUp.divide(exact(&gradient, pixel, 10), gradient.area2);
         misrounded += u32::from(right.is_none_or(|(right, _)| right != walked));
         count += 1;

@@ -66,7 +66,7 @@ fn smallest_case() -> String {
     let triangle = Triangle { xy: [[11, 1], [17, 1], [11, 7]], z: None };
     let gradient = Gradient::new(&triangle, [0, 1, 0]);
     let plane = Plane::round(&gradient, [1, 1], 1, 13, Rounding::Floor, Division::Quotient);
-    let accumulator = plane.at(5, 0);
+    let accumulator = plane.at(5, 0).raw();
     let reads = [1, 0].map(|guard| {
         ReadOut::new(guard, 24, 13, Clamp::Guard)
             .map_or_else(|error| error.to_string(), |read| read.read(accumulator).to_string())
@@ -94,7 +94,7 @@ fn wrong_reads(roundings: [Rounding; 2]) -> [[u32; 2]; 2] {
             for (rounding, wrong) in roundings.into_iter().zip(&mut wrong) {
                 let plane = Plane::round(&gradient, [1, 1], 1, 3, rounding, Division::Quotient);
                 for [x, y] in &covered {
-                    let value = plane.at(*x, *y);
+                    let value = plane.at(*x, *y).raw();
                     let right = endless.read(value);
                     wrong[0] += u32::from(none.read(value) != right);
                     wrong[1] += u32::from(one.read(value) != right);
@@ -119,7 +119,7 @@ fn widest_wrap(guard: u32) -> String {
         let sample = [right + 512, 512];
         let plane =
             Plane::round(&gradient, sample, 10, 13, Rounding::NearestEven, Division::Quotient);
-        read.status(plane.start).has(Event::Wrap)
+        read.status(plane.start().raw()).has(Event::Wrap)
     };
     (1..=2048).filter(wraps).max().map_or("none".to_owned(), |width| width.to_string())
 }

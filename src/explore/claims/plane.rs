@@ -163,7 +163,7 @@ pub(super) fn error(
     s: u32,
     fraction: u32,
 ) -> i128 {
-    plane.at(x, y) * gradient.area2 - (exact(gradient, [x, y], s) << fraction)
+    plane.at(x, y).raw() * gradient.area2 - (exact(gradient, [x, y], s) << fraction)
 }
 
 /// The exact value at the centre of a pixel, times `area2`.

@@ -205,7 +205,7 @@ impl Search<'_> {
         let at = self.question.to_model(self.question.sample(pixel));
         let ([x0, y0], z0) = gradient.anchor;
         let exact = z0 * gradient.area2 + gradient.x * (at[0] - x0) + gradient.y * (at[1] - y0);
-        let error = plane.at(x, y) * gradient.area2 - (exact << self.fraction);
+        let error = plane.at(x, y).raw() * gradient.area2 - (exact << self.fraction);
         let whole = gradient.area2 << self.fraction;
         if self.goal == Goal::Half { 2 * error.abs() >= whole } else { error.abs() >= whole }
     }

@@ -148,7 +148,7 @@ pub fn needed_width(stage: &Stage, face: &Face, edges: EdgeWordConfig) -> u32 {
     let mut magnitude = 0;
     for k in 0..3 {
         for (x, y) in [(x0, y0), (x1, y0), (x0, y1), (x1, y1)] {
-            let value = words.value[k] + words.step_x[k] * x + words.step_y[k] * y;
+            let value = words.at(k, x, y).raw();
             magnitude |= value ^ (value >> 127);
         }
     }

@@ -175,7 +175,7 @@ pub(super) fn pairs_in_order<'a>(
             let index = face as usize;
             let made = prepared.get(index).copied();
             let plane = made.unwrap_or_else(|| plane(&stage.faces[index]))?;
-            let accumulator = plane.at(pair.x.into(), pair.y.into());
+            let accumulator = plane.at(pair.x.into(), pair.y.into()).raw();
             let held = depth.held(&plane, pair.x, pair.y);
             Some((depth.code(held), accumulator))
         };

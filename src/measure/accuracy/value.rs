@@ -156,14 +156,14 @@ impl<'a> Walk<'a> {
         let plane = depth.plane(&face.triangle, surface.vertex, &stage.grid);
         let (fraction, exact) = (depth.read_out().fraction(), &surface.exact);
         let per_pixel = fraction + stage.grid.sub_pixel;
-        let [x, y] = surface.code.base().map(i128::from);
+        let ([x, y], [_, dx, dy]) = (surface.code.base().map(i128::from), plane.raw());
         let error = [
-            (plane.at(x, y) - depth.start_bias()) * exact.whole
+            (plane.at(x, y).raw() - depth.start_bias()) * exact.whole
                 - (exact.at(stage.grid.position(x, y)) << fraction),
-            plane.dx * exact.whole - (exact.slope[0] << per_pixel),
-            plane.dy * exact.whole - (exact.slope[1] << per_pixel),
+            dx * exact.whole - (exact.slope[0] << per_pixel),
+            dy * exact.whole - (exact.slope[1] << per_pixel),
         ];
-        let narrow = Narrow::new(error, [plane.at(x, y), plane.dx, plane.dy], depth.read_out());
+        let narrow = Narrow::new(error, [plane.at(x, y).raw(), dx, dy], depth.read_out());
         let whole = real(exact.whole) * real(1 << fraction);
         Self { depth, plane, surface, error, narrow, whole }
     }
@@ -187,7 +187,7 @@ impl<'a> Walk<'a> {
             return *low <= least && most < *high;
         }
         let (x0, x1, y) = (i128::from(run.x0), i128::from(run.x1 - 1), i128::from(run.y));
-        let (one, other) = (self.plane.at(x0, y), self.plane.at(x1, y));
+        let (one, other) = (self.plane.at(x0, y).raw(), self.plane.at(x1, y).raw());
         let (least, most) = (one.min(other), one.max(other));
         reach.widen(Reach(Some((least, most))));
         let (low, high) = inside(self.depth.read_out());
@@ -238,8 +238,8 @@ impl<'a> Walk<'a> {
     /// The part of a run that lies inside the range, perhaps empty: values only rise or only fall.
     fn inner(&self, run: &Span) -> Span {
         let (low, high) = inside(self.depth.read_out());
-        let value = |x: u32| self.plane.at(x.into(), run.y.into());
-        let rises = self.plane.dx >= 0;
+        let value = |x: u32| self.plane.at(x.into(), run.y.into()).raw();
+        let rises = self.plane.dx().raw() >= 0;
         let enters = first_column(run, |x| if rises { value(x) >= low } else { value(x) < high });
         let leaves = first_column(run, |x| if rises { value(x) >= high } else { value(x) < low });
         Span { x0: enters.min(leaves), x1: leaves, ..*run }

@@ -153,9 +153,7 @@ struct Floating<'a> {
 
 impl Floating<'_> {
     fn edge(&self, k: usize, x: u32, y: u32) -> i128 {
-        self.edges.value[k]
-            + self.edges.step_x[k] * i128::from(x)
-            + self.edges.step_y[k] * i128::from(y)
+        self.edges.at(k, x.into(), y.into()).raw()
     }
 }
 
@@ -176,7 +174,7 @@ impl Visitor for Floating<'_> {
         for (px, py) in (y..y + height).flat_map(|py| (x..x + width).map(move |px| (px, py))) {
             let value = [0, 1, 2].map(|k| self.edge(k, px, py));
             let behind = |sign: i128| {
-                (0..3).any(|k| value[k] < 0 && self.edges.step_x[k].signum() * sign >= 0)
+                (0..3).any(|k| value[k] < 0 && self.edges.dx(k).raw().signum() * sign >= 0)
             };
             outside.left &= behind(1);
             outside.right &= behind(-1);
@@ -219,8 +217,7 @@ fn float_depths(profile: &Profile, faces: &[Face], traversal: Option<TraversalCo
             crate::setup::Division::Quotient,
         );
         #[allow(clippy::cast_precision_loss, reason = "rounded to binary32 on purpose")]
-        let plane =
-            [rounded.start, rounded.dx, rounded.dy].map(|value| value as f32 / 16_777_216.0);
+        let plane = rounded.raw().map(|value| value as f32 / 16_777_216.0);
         let target = crate::machine::Target { grid, clip };
         let mut visitor = Floating {
             edges: &words,

@@ -107,7 +107,7 @@ fn guard(stage: &Stage, depth: &Depth, has: u32, found: &mut Requirements) {
         let plane = depth.plane(&face.triangle, face.depth.as_ref()?.vertex, &stage.grid);
         let runs = stage.runs[face.runs.clone()].iter();
         Some(runs.flat_map(move |run| {
-            [run.x0, run.x1 - 1].map(|x| (plane.at(x.into(), run.y.into()), (x, run.y, face)))
+            [run.x0, run.x1 - 1].map(|x| (plane.at(x.into(), run.y.into()).raw(), (x, run.y, face)))
         }))
     });
     let ends = Extremes::of(ends.flatten());

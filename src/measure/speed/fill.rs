@@ -66,11 +66,13 @@ fn plainly(profile: &Profile, triangle: &Triangle, raster: &mut PlainRaster, dee
     let edges =
         EdgeWordConfig { rule: profile.form.rule(), storage: EdgeStorage::Shifted, width: 64 };
     let [x0, y0, x1, y1] = crate::machine::Target { grid, clip }.bounds(&triangle);
-    let words = edges.words(&triangle, &grid).lanes::<i64>(64, x0, y0);
+    let words = edges.words(&triangle, &grid).lanes::<i64>(x0, y0);
     let plane = depth.plane(&triangle, z, &grid);
-    let narrow = |value: i128| i64::try_from(value).unwrap_or(0);
-    let (dx, dy) = (narrow(plane.dx), narrow(plane.dy));
-    let mut start = narrow(plane.at(x0.into(), y0.into()));
+    let narrow = |value: i128| {
+        i64::try_from(value).unwrap_or_else(|_| unreachable!("{value}: sgi-4k fits 64 bits"))
+    };
+    let [_, dx, dy] = plane.raw().map(narrow);
+    let mut start = narrow(plane.at(x0.into(), y0.into()).raw());
     let (fraction, top) = (depth.read_out().fraction(), narrow(depth.read_out().top()) - 1);
     let mut row = words.value;
     for y in y0..y1 {

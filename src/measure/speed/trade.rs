@@ -137,8 +137,8 @@ fn error<L: Lane>(read: ReadOut, decode: Decode<L>) -> Error {
             Rounding::NearestEven,
             Division::Quotient,
         );
-        let (start, dx, dy) =
-            (decode.load(plane.start), decode.slope(plane.dx), decode.slope(plane.dy));
+        let [start, dx, dy] = plane.raw();
+        let (start, dx, dy) = (decode.load(start), decode.slope(dx), decode.slope(dy));
         // The word is kept less a bias; that of zero is the bias alone.
         let bias = decode.load(0).value(read.width());
         for y in stations(SIZE.1) {
@@ -229,8 +229,7 @@ mod tests {
         let plane =
             Plane::round(&gradient, [512, 512], 10, 4, Rounding::NearestEven, Division::Quotient);
         let corner = plane_at(xy, z, [1023 * 1024 + 512, 511 * 1024 + 512]).unwrap();
-        let drawn =
-            Rational::new((plane.start + 1023 * plane.dx + 511 * plane.dy).into(), 16.into());
+        let drawn = Rational::new(plane.at(1023, 511).raw().into(), 16.into());
         let off = (drawn - corner).abs();
         let seen = off.numer().to_f64().unwrap() / off.denom().to_f64().unwrap();
         let narrow = error(read, read.decode::<i32>().unwrap());

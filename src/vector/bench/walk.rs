@@ -190,14 +190,13 @@ impl WalkBench {
         let (init, dx, dy) = match (self.kind, self.profile.form.edge(), self.depth, triangle.z) {
             (WalkKind::Depth, _, Some(depth), Some(z)) => {
                 let plane = depth.plane(&triangle, z, &self.grid);
-                (plane.at(x0, y0), plane.dx, plane.dy)
+                (plane.at(x0, y0).raw(), plane.dx().raw(), plane.dy().raw())
             }
             (WalkKind::Edge, Some(edges), ..) => {
                 let words = edges.words(&triangle, &self.grid);
                 // Each lap over the scene takes another edge.
                 let k = usize::try_from(index / count % 3).unwrap_or(0);
-                let start = words.value[k] + words.step_x[k] * x0 + words.step_y[k] * y0;
-                (start, words.step_x[k], words.step_y[k])
+                (words.at(k, x0, y0).raw(), words.dx(k).raw(), words.dy(k).raw())
             }
             _ => (0, 0, 0),
         };

@@ -6,6 +6,7 @@ use super::quirk::Quirk;
 use super::setup::{SetupSlip, Unit};
 use super::word::{bounds, setup_words};
 use crate::format::Clamp;
+use crate::format::Unreduced;
 use crate::model::{Drawing, Span};
 use crate::setup::{Division, Triangle};
 use crate::value::Depth;
@@ -37,7 +38,7 @@ impl TriangleBench {
         if let Some(edges) = form.edge() {
             let edges = edges.words(triangle, &grid);
             for k in 0..3 {
-                words.extend([edges.value[k], edges.step_x[k], edges.step_y[k]]);
+                words.extend([edges.start(k), edges.dx(k), edges.dy(k)].map(Unreduced::raw));
             }
         } else if let Some(walk) = form.walk() {
             for k in 0..3 {
@@ -48,7 +49,7 @@ impl TriangleBench {
         let turned = triangle.normalised();
         if let (Some(depth), Some(z)) = (self.model.depth(), turned.z) {
             let plane = depth.plane(&turned, z, &grid);
-            words.extend([plane.start, plane.dx, plane.dy]);
+            words.extend(plane.raw());
         }
         words
     }

@@ -25,7 +25,7 @@ impl TriangleBench {
             (_, std::cmp::Ordering::Greater) => 3,
         };
         let octant = Coverage::octant(gradient.x, gradient.y);
-        coverage.note(octant, depth.read_out().zone(plane.start), remainder);
+        coverage.note(octant, depth.read_out().zone(plane.start().raw()), remainder);
     }
 
     /// Depths and masks where pixels have several samples.
@@ -72,10 +72,10 @@ impl TriangleBench {
         }
         let plane = depth.plane(&triangle, z, &grid);
         let read = depth.read_out();
-        let octant = Coverage::octant(plane.dx, plane.dy);
+        let octant = Coverage::octant(plane.dx().raw(), plane.dy().raw());
         for span in &drawing.spans {
             for x in span.x0..span.x1 {
-                let value = plane.at(i128::from(x), i128::from(span.y));
+                let value = plane.at(i128::from(x), i128::from(span.y)).raw();
                 let remainder = Coverage::remainder(value.cast_unsigned(), read.fraction());
                 coverage.note(octant, read.zone(value), remainder);
             }
