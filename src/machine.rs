@@ -71,6 +71,7 @@ impl Input<'_> {
 
     /// The field that its coordinates were checked against. Homogeneous vertices and registers are
     /// checked by the machine, which alone knows their ranges.
+    #[inline]
     pub(crate) const fn field(&self) -> Option<&VertexField> {
         match self {
             Self::Triangle(shape) => Some(shape.field()),

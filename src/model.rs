@@ -156,6 +156,7 @@ impl Model {
     }
 
     /// Refuses what was checked against another field.
+    #[inline]
     fn check(&self, field: Option<&VertexField>) -> Result<(), DrawError> {
         match field {
             Some(got) if !self.field.takes(got) => {

@@ -139,6 +139,12 @@ pub struct EdgeWords {
 }
 
 impl EdgeWords {
+    /// Start, dx and dy of edge k in units of `2^-fraction`.
+    #[inline]
+    pub const fn raw(&self, k: usize) -> [i128; 3] {
+        [self.start[k], self.dx[k], self.dy[k]]
+    }
+
     /// Edge k at pixel (0, 0). Range: `k < 3`.
     #[inline]
     pub const fn start(&self, k: usize) -> Unreduced {

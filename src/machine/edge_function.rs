@@ -6,7 +6,7 @@ use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWords, for_each_run};
 use crate::dda::{Processor, row_inside};
-use crate::format::{Column, Unreduced};
+use crate::format::Column;
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 
@@ -97,7 +97,7 @@ pub(super) fn setup_words(words: &EdgeWords) -> Vec<i128> {
     // Room for the three words of a plane behind them.
     let mut setup = Vec::with_capacity(12);
     for k in 0..3 {
-        setup.extend([words.start(k), words.dx(k), words.dy(k)].map(Unreduced::raw));
+        setup.extend(words.raw(k));
     }
     setup
 }

@@ -37,7 +37,7 @@ impl Painter {
     /// Hands the set-up words to the sink; a triangle without depth has zeros there.
     pub(super) fn announce(&self, mut words: Vec<i128>, has_depth: bool, out: &mut dyn Sink) {
         if has_depth {
-            words.extend(self.depth.map_or([0; 3], |(_, plane)| plane.raw()));
+            words.extend(self.depth.as_ref().map_or([0; 3], |(_, plane)| plane.raw()));
         }
         out.setup(&words);
     }

@@ -110,6 +110,7 @@ impl Plane {
     ///
     /// # Errors
     /// [`FractionMismatch`] if the bias counts other units.
+    #[inline]
     pub fn raised(self, bias: Unreduced) -> Result<Self, FractionMismatch> {
         same_fraction(self.fraction, bias.fraction())?;
         Ok(Self { start: self.start + bias.raw(), ..self })

@@ -52,10 +52,13 @@ impl VertexField {
 
     /// Whether a shape of another field is one of this field, too: the same grid and ends, and the
     /// same depth codes where both have depth. Without depth, nobody looks at a depth code.
-    pub fn takes(&self, other: &Self) -> bool {
-        let depth = [self.depth_max, other.depth_max];
-        let grid = |field: &Self| (field.low, field.high, field.sub_pixel);
-        grid(self) == grid(other) && (depth[0] == depth[1] || depth.contains(&0))
+    #[inline]
+    pub const fn takes(&self, other: &Self) -> bool {
+        let no_depth = self.depth_max == 0 || other.depth_max == 0;
+        self.low == other.low
+            && self.high == other.high
+            && self.sub_pixel == other.sub_pixel
+            && (self.depth_max == other.depth_max || no_depth)
     }
 
     /// The shape, if all its coordinates lie in this field.
@@ -143,6 +146,7 @@ pub struct Snapped<T> {
 
 impl<T> Snapped<T> {
     /// The field that it was checked against.
+    #[inline]
     pub const fn field(&self) -> &VertexField {
         &self.field
     }
@@ -151,6 +155,7 @@ impl<T> Snapped<T> {
 impl<T> Deref for Snapped<T> {
     type Target = T;
 
+    #[inline]
     fn deref(&self) -> &T {
         &self.shape
     }

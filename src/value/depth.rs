@@ -144,6 +144,7 @@ impl Depth {
         self.biased(plane)
     }
 
+    #[inline]
     fn biased(&self, plane: Plane) -> Plane {
         let bias = Unreduced::new(self.start_bias(), self.config.interpolation);
         plane.raised(bias).unwrap_or_else(|error| unreachable!("a plane of this budget: {error}"))

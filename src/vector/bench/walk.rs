@@ -196,7 +196,8 @@ impl WalkBench {
                 let words = edges.words(&triangle, &self.grid);
                 // Each lap over the scene takes another edge.
                 let k = usize::try_from(index / count % 3).unwrap_or(0);
-                (words.at(k, x0, y0).raw(), words.dx(k).raw(), words.dy(k).raw())
+                let [_, dx, dy] = words.raw(k);
+                (words.at(k, x0, y0).raw(), dx, dy)
             }
             _ => (0, 0, 0),
         };

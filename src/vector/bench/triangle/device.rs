@@ -6,7 +6,6 @@ use super::quirk::Quirk;
 use super::setup::{SetupSlip, Unit};
 use super::word::{bounds, setup_words};
 use crate::format::Clamp;
-use crate::format::Unreduced;
 use crate::model::{Drawing, Span};
 use crate::setup::{Division, Triangle};
 use crate::value::Depth;
@@ -38,7 +37,7 @@ impl TriangleBench {
         if let Some(edges) = form.edge() {
             let edges = edges.words(triangle, &grid);
             for k in 0..3 {
-                words.extend([edges.start(k), edges.dx(k), edges.dy(k)].map(Unreduced::raw));
+                words.extend(edges.raw(k));
             }
         } else if let Some(walk) = form.walk() {
             for k in 0..3 {
