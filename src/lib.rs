@@ -36,10 +36,19 @@
 //! 14. [`vector`]: golden sets, verify, diagnosis
 //! 15. [`explore`]: the known facts recomputed, and how few bits are provably enough
 //!
+//! Above them stands the command, with the feature `cli`. A program of your own that calls `cli::main`
+//! with machines of its own is a command that knows them too.
+//!
 //! The specification in `spec/` is normative; documentation cites its clauses as `G-2`.
+
+// The command's files name the library as any other program does.
+#[cfg(feature = "cli")]
+extern crate self as guardbit;
 
 pub mod bits;
 pub mod case;
+#[cfg(feature = "cli")]
+pub mod cli;
 pub mod cover;
 pub mod dda;
 pub mod exact;

@@ -1,29 +1,44 @@
 //! Rasterizers: each turns a primitive into spans, values and events by its own means.
 
 mod barycentric;
+mod bound;
+mod cost;
 mod edge_function;
 mod edge_walk;
+mod edge_words;
 mod engine_per_pixel;
 mod gouraud;
 mod homogeneous;
 mod line;
+mod list;
 mod multisampled;
+mod own;
 mod painter;
 mod port;
+mod rasterizer;
 mod register;
 mod scanline;
+mod state;
+mod step;
 mod tiles;
 mod traversed;
+mod word;
 
 pub use barycentric::{Barycentric, BarycentricConfig, BarycentricError};
-pub use edge_function::EdgeFunction;
+pub use bound::{plane_bound, rounding_error};
+pub use cost::{Count, Datapath, Dda, Operations, Unit, corners, signed_bits};
+pub use edge_function::{EdgeFunction, EdgeFunctionConfig};
 pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};
-pub use engine_per_pixel::{EnginePerPixel, serial_plane};
-pub use gouraud::Gouraud;
+pub use engine_per_pixel::{EnginePerPixel, EnginePerPixelConfig, serial_plane};
+pub use gouraud::{Gouraud, GouraudConfig};
 pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
 pub use line::Lines;
+pub use list::{Form, kinds, triangle_machines};
 pub use multisampled::Multisampled;
+pub use own::{AddError, Own, OwnForm, add};
+pub use painter::{Painter, drawable};
 pub use port::Ports;
+pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
     Product, QuadConfig, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig, RegisterError,
@@ -31,8 +46,11 @@ pub use register::{
     columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
+pub use state::{RasterState, Site};
+pub use step::{Steps, near, near_or_none};
 pub use tiles::{Tiles, TilesConfig, TilesError};
 pub use traversed::Traversed;
+pub use word::{Fact, Word, WordField, steps_below_half};
 
 use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid, Segment};
@@ -92,6 +110,16 @@ pub enum DrawError {
     /// The machine draws other primitives.
     #[error("this profile's machine does not draw {0}")]
     Primitive(&'static str),
+    /// The machine draws polygons, but not their depth.
+    #[error(
+        "the machine {machine} draws the coverage of a polygon and no depth: more than three points need \
+         not lie on one plane; leave z out, or choose a machine that walks depth down the edges: {}",
+        with_polygon_depth()
+    )]
+    PolygonDepth {
+        /// The machine.
+        machine: &'static str,
+    },
     /// Another number of words.
     #[error("{got} words are given, and this machine takes {need}")]
     Words {
@@ -112,6 +140,12 @@ pub enum DrawError {
         /// Largest taken.
         high: i128,
     },
+}
+
+/// The machines that draw polygons with depth.
+fn with_polygon_depth() -> String {
+    let kinds = kinds().filter(|kind| kind.polygons == Polygons::Depth);
+    kinds.map(|kind| kind.name).collect::<Vec<_>>().join(", ")
 }
 
 /// Where spans, values and events of a primitive go, in the order of y then x.

@@ -181,10 +181,11 @@ fn the_list_of_rooms_is_the_library() {
     let files: BTreeSet<&str> = sources
         .iter()
         .map(|source| source.room.as_str())
-        .filter(|room| !["lib", "main", "cli"].contains(room))
+        .filter(|room| !["lib", "main"].contains(room))
         .collect();
     assert_eq!(modules, files, "lib.rs and the files of src");
-    let unknown: Vec<_> = modules.iter().filter(|room| floor(room).is_none()).collect();
+    let unknown: Vec<_> =
+        modules.iter().filter(|room| floor(room).is_none() && **room != "cli").collect();
     assert!(unknown.is_empty(), "not in the list of this test: {unknown:?}");
 }
 
@@ -218,7 +219,9 @@ fn the_command_sees_only_the_public_library() {
         let inner = imports(&tokens, "crate");
         assert!(inner.iter().all(|name| *name == "cli"), "{}: {inner:?}", source.path);
         let rooms = imports(&tokens, "guardbit");
-        let unknown: Vec<_> = rooms.iter().filter(|room| floor(room).is_none()).collect();
+        let above = |room: &str| source.room == "main" && room == "cli";
+        let unknown: Vec<_> =
+            rooms.iter().filter(|room| floor(room).is_none() && !above(room)).collect();
         assert!(unknown.is_empty(), "{}: {unknown:?}", source.path);
     }
 }

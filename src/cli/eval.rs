@@ -229,7 +229,9 @@ fn draw(model: &Model, primitive: &Primitive, out: &mut Drawing) -> Result<bool,
     };
     match result {
         Ok(()) => Ok(has_depth(primitive)),
-        Err(error @ DrawError::Primitive(_)) => Err(format!("field `{key}`: {error}")),
+        Err(error @ (DrawError::Primitive(_) | DrawError::PolygonDepth { .. })) => {
+            Err(format!("field `{key}`: {error}"))
+        }
         Err(error) => Err(error.to_string()),
     }
 }

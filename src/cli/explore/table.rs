@@ -137,7 +137,7 @@ pub(crate) fn figure(value: f64) -> String {
 /// Every metric of every budget.
 pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure> {
     let fields: Vec<&str> = {
-        let mut names: Vec<&str> = Field::ALL.map(Field::name).to_vec();
+        let mut names: Vec<&str> = Field::all().into_iter().map(Field::name).collect();
         names.extend(["edge-bits", "depth-bits"]);
         names.retain(|name| records.iter().any(|record| field(record, name) != "-"));
         names
@@ -168,7 +168,7 @@ pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure
 pub(crate) fn help() -> Result<Outcome, Failure> {
     let mut output = Output::new();
     output.line("fields to vary (--vary FIELD=VALUES, as 6..13, or a list with commas):")?;
-    for field in Field::ALL {
+    for field in Field::all() {
         let words = field.words().join(", ");
         let takes = match (field.is_bits(), words.is_empty()) {
             (true, true) => "bits".to_owned(),
