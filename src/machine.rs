@@ -76,7 +76,7 @@ pub enum Input<'a> {
 
 impl Input<'_> {
     /// The form of the primitive, for a message.
-    const fn name(&self) -> &'static str {
+    pub const fn name(&self) -> &'static str {
         match self {
             Self::Triangle(_) => "triangles",
             Self::Clip(_) => "homogeneous vertices",
@@ -87,8 +87,11 @@ impl Input<'_> {
         }
     }
 
-    /// The triangle of a machine that draws nothing else.
-    fn triangle(&self) -> Result<&Triangle, DrawError> {
+    /// The triangle, for a machine that draws nothing else.
+    ///
+    /// # Errors
+    /// [`DrawError::Primitive`] for any other primitive.
+    pub fn triangle(&self) -> Result<&Triangle, DrawError> {
         match self {
             Self::Triangle(triangle) => Ok(triangle),
             other => Err(DrawError::Primitive(other.name())),
