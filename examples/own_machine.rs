@@ -15,7 +15,11 @@
 use guardbit::cover::FillRule;
 use guardbit::exact::{PlaneNumerator, Rational};
 use guardbit::format::{Column, Decision, Level, Refused, Value};
-use guardbit::machine::*;
+use guardbit::machine::{
+    Count, Datapath, DrawError, Face, Form, FormError, Input, Intake, Kind, Machine, Operations,
+    Own, Painter, Polygons, Ports, RasterState, Rasterizer, Sink, Site, Step, Steps, Target, Unit,
+    Word, Work, drawable, near, plane_bound,
+};
 use guardbit::setup::{EdgeCoefficients, edges};
 use guardbit::value::Depth;
 use serde::{Deserialize, Serialize};

@@ -33,7 +33,7 @@ pub use engine_per_pixel::{EnginePerPixel, EnginePerPixelConfig, serial_plane};
 pub use gouraud::{Gouraud, GouraudConfig};
 pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
 pub use line::Lines;
-pub use list::{Form, kinds, triangle_machines};
+pub use list::{kinds, triangle_machines};
 pub use multisampled::Multisampled;
 pub use own::{AddError, Own, OwnForm, add};
 pub use painter::{Painter, drawable};
@@ -55,6 +55,28 @@ pub use word::{Fact, Word, WordField, steps_below_half};
 use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid, Segment};
 use crate::setup::{ClipTriangle, Polygon, Triangle};
+
+// The one list of machines, in the order that reports and tables have.
+list::machines! {
+    /// Three edge functions over the bounding box (Pineda), or in the order of `[traversal]`.
+    EdgeFunction(EdgeFunctionConfig) in edge_function;
+    /// Three x DDAs, depth on a plane (VGX).
+    EdgeWalk(EdgeWalkConfig) in edge_walk;
+    /// x and depth walked down the edges, depth along each span (GTX).
+    Gouraud(GouraudConfig) in gouraud;
+    /// An engine at every pixel (Pixel-Planes 4).
+    EnginePerPixel(EnginePerPixelConfig) in engine_per_pixel;
+    /// An approximate walk, edge functions as a mask, barycentric values (InfiniteReality).
+    Barycentric(BarycentricConfig) in barycentric;
+    /// Small tiles, an engine each (Bali).
+    Tiles(TilesConfig) in tiles;
+    /// Homogeneous recursive descent (Olano and Greer).
+    Homogeneous(HomogeneousConfig) in homogeneous;
+    /// Exact sides and spans between them (Crow).
+    Scanline(ScanlineConfig) in scanline;
+    /// A machine that begins at registers.
+    Registers(Box<RegisterConfig>) in register;
+}
 
 /// One primitive, as a machine takes it.
 #[derive(Clone, Copy, Debug)]

@@ -1,20 +1,25 @@
-//! The list of machines: one line each. Everything else that names a machine asks this list, or the trait.
+//! What the list of machines makes: the machine of a profile, its text, and the kinds there are. Everything
+//! else that names a machine asks the list, or the trait.
 
-use super::own::{Own, OwnForm, own_machines};
-use super::{Intake, Kind, Rasterizer};
-use schemars::JsonSchema;
-use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Error as _, VariantAccess, Visitor};
-use serde::{Deserialize, Serialize, Serializer};
+use super::own::{Own, own_machines};
+use super::{BUILTIN, Form, Intake, Kind, Rasterizer};
+use serde::Deserialize;
+use serde::de::{DeserializeSeed, Deserializer, EnumAccess, Visitor};
 use std::fmt::Formatter;
-use std::ops::{Deref, DerefMut};
 
+/// The list of machines, one line each: `Variant(Configuration) in module;`. Makes the profile's [`Form`] and
+/// what asks it.
 macro_rules! machines {
     ($($(#[$doc:meta])* $variant:ident($config:ty) in $module:ident;)*) => {
         /// The machine of a profile.
         ///
         /// What a machine does is asked through [`Rasterizer`], which a form dereferences to.
-        #[derive(Clone, Debug, PartialEq, Eq, JsonSchema)]
-        #[schemars(rename_all = "kebab-case", deny_unknown_fields, description = "The machine of a profile.")]
+        #[derive(Clone, Debug, PartialEq, Eq, schemars::JsonSchema)]
+        #[schemars(
+            rename_all = "kebab-case",
+            deny_unknown_fields,
+            description = "The machine of a profile."
+        )]
         pub enum Form {
             $($(#[$doc])* $variant($config),)*
             /// A machine that is not built in.
@@ -23,25 +28,23 @@ macro_rules! machines {
         }
 
         /// The built-in machines.
-        const BUILTIN: &[&Kind] = &[$(&super::$module::KIND,)*];
-        /// The names that profiles use for them.
-        const NAMES: &[&str] = &[$(super::$module::KIND.name,)*];
+        const BUILTIN: &[&Kind] = &[$(&$module::KIND,)*];
 
-        impl Deref for Form {
+        impl std::ops::Deref for Form {
             type Target = dyn Rasterizer;
 
             fn deref(&self) -> &Self::Target {
                 match self {
-                    $(Self::$variant(config) => Configured::configured(config),)*
+                    $(Self::$variant(config) => list::Configured::configured(config),)*
                     Self::Own(own) => own.rasterizer(),
                 }
             }
         }
 
-        impl DerefMut for Form {
+        impl std::ops::DerefMut for Form {
             fn deref_mut(&mut self) -> &mut Self::Target {
                 match self {
-                    $(Self::$variant(config) => Configured::configured_mut(config),)*
+                    $(Self::$variant(config) => list::Configured::configured_mut(config),)*
                     Self::Own(own) => own.rasterizer_mut(),
                 }
             }
@@ -53,8 +56,8 @@ macro_rules! machines {
             }
         })*
 
-        impl Serialize for Form {
-            fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
+        impl serde::Serialize for Form {
+            fn serialize<S: serde::Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
                 let name = self.name();
                 match self {
                     $(Self::$variant(config) => to.serialize_newtype_variant("Form", 0, name, config),)*
@@ -64,43 +67,23 @@ macro_rules! machines {
         }
 
         impl Form {
-            /// Reads the configuration of the machine of this name.
-            fn read<'de, A: VariantAccess<'de>>(name: &str, from: A) -> Result<Self, A::Error> {
-                $(if name == super::$module::KIND.name {
+            /// Reads the configuration of the built-in machine of this name, or of one's own.
+            fn read<'de, A: serde::de::VariantAccess<'de>>(
+                name: &str,
+                from: A,
+            ) -> Result<Self, A::Error> {
+                $(if name == $module::KIND.name {
                     return from.newtype_variant::<$config>().map(Self::$variant);
                 })*
-                match own_machines().iter().find(|own| own.kind().name == name) {
-                    Some(own) => own.read(from.newtype_variant()?).map_err(A::Error::custom),
-                    None => Err(A::Error::custom(unknown(name))),
-                }
+                own::read(name, from)
             }
         }
     };
 }
-
-machines! {
-    /// Three edge functions over the bounding box (Pineda), or in the order of `[traversal]`.
-    EdgeFunction(super::EdgeFunctionConfig) in edge_function;
-    /// Three x DDAs, depth on a plane (VGX).
-    EdgeWalk(super::EdgeWalkConfig) in edge_walk;
-    /// x and depth walked down the edges, depth along each span (GTX).
-    Gouraud(super::GouraudConfig) in gouraud;
-    /// An engine at every pixel (Pixel-Planes 4).
-    EnginePerPixel(super::EnginePerPixelConfig) in engine_per_pixel;
-    /// An approximate walk, edge functions as a mask, barycentric values (InfiniteReality).
-    Barycentric(super::BarycentricConfig) in barycentric;
-    /// Small tiles, an engine each (Bali).
-    Tiles(super::TilesConfig) in tiles;
-    /// Homogeneous recursive descent (Olano and Greer).
-    Homogeneous(super::HomogeneousConfig) in homogeneous;
-    /// Exact sides and spans between them (Crow).
-    Scanline(super::ScanlineConfig) in scanline;
-    /// A machine that begins at registers.
-    Registers(Box<super::RegisterConfig>) in register;
-}
+pub(super) use machines;
 
 /// A configuration, boxed or not, as a rasterizer.
-trait Configured {
+pub(super) trait Configured {
     fn configured(&self) -> &(dyn Rasterizer + 'static);
     fn configured_mut(&mut self) -> &mut (dyn Rasterizer + 'static);
 }
@@ -136,7 +119,7 @@ pub fn triangle_machines() -> impl Iterator<Item = &'static Kind> {
 }
 
 /// What is wrong with a name that no machine has.
-fn unknown(name: &str) -> String {
+pub(super) fn unknown(name: &str) -> String {
     let known: Vec<String> = kinds().map(|kind| format!("`{}`", kind.name)).collect();
     format!("unknown variant `{name}`, expected one of {}", known.join(", "))
 }
@@ -150,7 +133,8 @@ impl Form {
 
 impl<'de> Deserialize<'de> for Form {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
-        from.deserialize_enum("Form", NAMES, FormVisitor)
+        // The names are in the visitor, as those of one's own are not known here.
+        from.deserialize_enum("Form", &[], FormVisitor)
     }
 }
 

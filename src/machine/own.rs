@@ -3,12 +3,12 @@
 //! The list is one for the process. A profile is read by serde in several places (TOML, the manifest of a
 //! set), none of which could be handed a list; so it is extended once, before the first profile is read.
 
-use super::list::kinds;
+use super::list::{kinds, unknown};
 use super::{Form, Kind, Rasterizer};
 use crate::cover::TraversalConfig;
 use crate::setup::VertexConfig;
 use crate::value::DepthConfig;
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, Error as _, VariantAccess};
 use serde::{Serialize, Serializer};
 use std::any::Any;
 use std::sync::OnceLock;
@@ -51,6 +51,14 @@ static OWN: OnceLock<Vec<Own>> = OnceLock::new();
 /// The machines that were added.
 pub(super) fn own_machines() -> &'static [Own] {
     OWN.get().map_or(&[], Vec::as_slice)
+}
+
+/// Reads the configuration of an added machine.
+pub(super) fn read<'de, A: VariantAccess<'de>>(name: &str, from: A) -> Result<Form, A::Error> {
+    match own_machines().iter().find(|own| own.kind.name == name) {
+        Some(own) => own.read(from.newtype_variant()?).map_err(A::Error::custom),
+        None => Err(A::Error::custom(unknown(name))),
+    }
 }
 
 /// Adds machines to the list, once in a process and before a profile is read.
@@ -102,7 +110,7 @@ impl Own {
     }
 
     /// Reads its table.
-    pub(super) fn read(&self, table: toml::Table) -> Result<Form, String> {
+    fn read(&self, table: toml::Table) -> Result<Form, String> {
         (self.read)(table).map_err(|error| error.trim_end().replace('\n', " "))
     }
 }

@@ -1,6 +1,7 @@
 //! Budgets as a table and as comma-separated values.
 
 use super::{Failure, Field, Metric, Outcome, Output, Record, Sweep};
+use guardbit::explore::field::Takes;
 use guardbit::explore::metric;
 use guardbit::measure::cost::Synthesis;
 
@@ -169,11 +170,12 @@ pub(crate) fn help() -> Result<Outcome, Failure> {
     let mut output = Output::new();
     output.line("fields to vary (--vary FIELD=VALUES, as 6..13, or a list with commas):")?;
     for field in Field::all() {
-        let words = field.words().join(", ");
-        let takes = match (field.is_bits(), words.is_empty()) {
-            (true, true) => "bits".to_owned(),
-            (true, false) => format!("bits, or {words}"),
-            _ => words,
+        let takes = match field.takes() {
+            Takes::Bits { least, most, word } => {
+                let word = word.map(|word| format!(", or {word}")).unwrap_or_default();
+                format!("bits, {least} to {most}{word}")
+            }
+            Takes::Words(words) => words().join(", "),
         };
         output.line(format!("  {:<16} {takes}", field.name()))?;
     }
