@@ -209,7 +209,7 @@ fn depth_of_polygons_is_refused_with_the_way_out() {
     draw("gouraud", &polygon).unwrap();
 }
 
-/// What a list of one's own may not do. Nothing is added.
+/// Clause A-15: what a list of one's own may not do. Nothing is added.
 #[test]
 fn a_machine_that_clashes_is_refused() {
     static NAMED: [Kind; 4] = {
@@ -256,7 +256,7 @@ fn example(name: &str) -> Command {
     Command::new(folder.join(name))
 }
 
-fn good(output: Output) -> String {
+fn good(output: &Output) -> String {
     let [out, err] = [&output.stdout, &output.stderr].map(|text| String::from_utf8_lossy(text));
     assert_eq!(output.status.code(), Some(0), "{out}\n{err}");
     out.into_owned()
@@ -264,7 +264,7 @@ fn good(output: Output) -> String {
 
 #[test]
 fn the_small_examples_say_what_they_should() {
-    let run = |name: &str| good(example(name).output().unwrap());
+    let run = |name: &str| good(&example(name).output().unwrap());
     let words = run("word_and_dda");
     // 100 + 100 = 200 = 256 - 56; 3000 = 0xbb8 = 4096 - 1096; 14 + 2 * 3/4 = 15 1/2, and beyond 15 the clamp.
     for part in ["100 + 100 = -56, wraps: true", "0xbb8 and reads as -1096", "depth 15"] {
@@ -289,7 +289,7 @@ fn the_small_examples_say_what_they_should() {
     assert!(errors[0] > 8.0 && errors[7] < 0.5 + 2000.0 / 131_072.0, "{plot}");
 }
 
-/// A machine of one's own goes through eval, sets, verify, diagnosis, trace, compare, explore and budget.
+/// Clause A-15: a machine of one's own goes through eval, sets, verify, diagnosis, trace, compare, explore and budget.
 #[test]
 fn a_machine_of_ones_own_has_the_whole_command() {
     let home = tempfile::tempdir().unwrap();
@@ -298,7 +298,7 @@ fn a_machine_of_ones_own_has_the_whole_command() {
         command.current_dir(home.path()).args(arguments.split_whitespace());
         command.output().unwrap()
     };
-    let shown = good(run("profile show sgi-4k --machine conservative"));
+    let shown = good(&run("profile show sgi-4k --machine conservative"));
     assert!(shown.contains("\n[form.conservative]\nmargin = 0\n"), "{shown}");
     let shown = shown.replace("width = 4096\nheight = 4096", "width = 256\nheight = 256");
     std::fs::write(home.path().join("own.toml"), &shown).unwrap();
@@ -315,36 +315,37 @@ fn a_machine_of_ones_own_has_the_whole_command() {
         .unwrap();
     let line = "{\"id\": 1, \"v\": [[512,512,0],[2560,512,20],[512,2560,40]]}\n";
     child.stdin.take().unwrap().write_all(line.as_bytes()).unwrap();
-    let answer = good(child.wait_with_output().unwrap());
+    let answer = good(&child.wait_with_output().unwrap());
     assert!(answer.contains("\"rows\": [[0, 0, 3], [1, 0, 3], [2, 0, 2]]"), "{answer}");
     assert!(answer.contains("\"z\": ["), "{answer}");
 
-    let written = good(run("vectors own.toml --out set --count 4000 --scene triangle"));
+    let written = good(&run("vectors own.toml --out set --count 4000 --scene triangle"));
     assert!(written.contains("set: "), "{written}");
     let manifest = std::fs::read_to_string(home.path().join("set/manifest.json")).unwrap();
     assert!(manifest.contains("\"conservative\": {"), "{manifest}");
     let package = std::fs::read_to_string(home.path().join("set/pkg.sv")).unwrap();
     assert!(package.contains("c0") && package.contains("SETUP"), "{package}");
-    let verified = good(run("verify set --recompute --profile own.toml"));
+    let verified = good(&run("verify set --recompute --profile own.toml"));
     assert!(verified.contains("PASS"), "{verified}");
     // The diagnosis tries what the machine lists.
-    good(run("vectors narrower.toml --out device --count 4000 --scene triangle"));
+    good(&run("vectors narrower.toml --out device --count 4000 --scene triangle"));
     let judged = run("verify set --dut device/span.exp.tv");
     let said = String::from_utf8_lossy(&judged.stdout).into_owned();
     assert_eq!(judged.status.code(), Some(1), "{said}");
     assert!(said.contains("form.conservative.margin is 1 instead of 0"), "{said}");
 
-    let traced = good(run("trace own.toml"));
+    let traced = good(&run("trace own.toml"));
     assert!(traced.contains("dda.cfg"), "{traced}");
     // No bound of coverage is stated: compare says so, and lends it no other machine's.
     let compared =
-        good(run("compare own.toml --scene fan --machines conservative,scanline --no-time"));
+        good(&run("compare own.toml --scene fan --machines conservative,scanline --no-time"));
     assert!(
         compared.contains("no bound is stated, so none is checked: conservative"),
         "{compared}"
     );
-    let compared =
-        good(run("compare own.toml --scene fan --machines conservative,scanline --no-time --json"));
+    let compared = good(&run(
+        "compare own.toml --scene fan --machines conservative,scanline --no-time --json",
+    ));
     let compared: serde_json::Value = serde_json::from_str(&compared).unwrap();
     let row = |name: &str| {
         let rows = compared["machines"].as_array().unwrap();
@@ -355,9 +356,9 @@ fn a_machine_of_ones_own_has_the_whole_command() {
     assert!(own["beyond_bound"].is_null() && other["beyond_bound"] == 0, "{own}");
     assert!(own["coverage_differs"].as_u64().unwrap() > 1000 && other["coverage_differs"] == 0);
     assert_ne!(own["ops"]["triangle"], other["ops"]["triangle"], "charged by its own count");
-    let help = good(run("explore --vary help"));
+    let help = good(&run("explore --vary help"));
     assert!(help.lines().any(|line| line.trim().starts_with("margin ")), "{help}");
-    let explored = good(run("explore own.toml --scene fan --vary margin=0..2 --json"));
+    let explored = good(&run("explore own.toml --scene fan --vary margin=0..2 --json"));
     let explored: serde_json::Value = serde_json::from_str(&explored).unwrap();
     let extra: Vec<u64> = explored
         .as_array()
@@ -367,7 +368,7 @@ fn a_machine_of_ones_own_has_the_whole_command() {
         .collect();
     // A smaller box covers less beyond the triangle.
     assert!(extra.len() == 3 && extra.is_sorted_by(|a, b| a > b) && extra[2] > 0, "{extra:?}");
-    let words = good(run("budget own.toml"));
+    let words = good(&run("budget own.toml"));
     // 2 (12 + 10 + 2) + 2 bits: two differences of the vertex field.
     assert!(words.contains("edge: 50 edge = 50 bits"), "{words}");
 
