@@ -1,4 +1,5 @@
-//! Arguments, exit statuses and the one place where errors become text.
+//! The command: arguments, exit statuses and the one place where errors become text. It sees only the
+//! library's public items.
 
 mod budget;
 mod claims;
@@ -63,8 +64,20 @@ enum Outcome {
     BadInput,
 }
 
-/// Parses, runs, reports.
-pub(crate) fn run() -> ExitCode {
+/// The command: parses the process's arguments, runs, reports.
+///
+/// `machines` are rasterizers of your own that the command draws, compares, explores and writes sets with,
+/// beside the built-in ones. A name that is taken is refused, with exit status 2.
+///
+/// ```no_run
+/// fn main() -> std::process::ExitCode {
+///     guardbit::cli::main(&[])
+/// }
+/// ```
+pub fn main(machines: &[guardbit::machine::Own]) -> ExitCode {
+    if let Err(error) = guardbit::machine::add(machines) {
+        return failure::Failure::input(error).report();
+    }
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
@@ -100,7 +113,7 @@ pub(crate) fn run() -> ExitCode {
 
 /// Refuses a profile that begins at registers where budgets are varied.
 fn takes_primitives(profile: &guardbit::profile::Profile) -> Result<(), failure::Failure> {
-    if !matches!(profile.form, guardbit::profile::Form::Registers(_)) {
+    if profile.form.kind().intake == guardbit::machine::Intake::Triangles {
         return Ok(());
     }
     let name = &profile.name;

@@ -3,6 +3,7 @@
 
 mod budget;
 mod column;
+mod decision;
 mod fixed;
 mod layout;
 mod q;
@@ -12,6 +13,7 @@ mod unreduced;
 pub use self::fixed::Fixed;
 pub use budget::Budget;
 pub use column::Column;
+pub use decision::{Decision, Level, Refused, Takes, Value};
 pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
 pub use q::{Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};

@@ -27,7 +27,7 @@
 //! 5. [`setup`]: snapping, exact edges, planes, division
 //! 6. [`cover`]: fill rules, samples, edge words, runs
 //! 7. [`value`]: the depth plane
-//! 8. [`machine`]: rasterizers; set-up is a toolbox to them
+//! 8. [`machine`]: rasterizers, one folder each, one list, and one trait that everything above asks
 //! 9. [`profile`]: those configurations composed, as TOML
 //! 10. [`scene`]: triangles, meshes, a camera, built-in scenes
 //! 11. [`model`]: a profile made ready; the door for everything below
@@ -36,10 +36,24 @@
 //! 14. [`vector`]: golden sets, verify, diagnosis
 //! 15. [`explore`]: the known facts recomputed, and how few bits are provably enough
 //!
+//! Above them stands the command, with the feature `cli`. A program of your own that calls `cli::main`
+//! with machines of its own is a command that knows them too.
+//!
 //! The specification in `spec/` is normative; documentation cites its clauses as `G-2`.
+
+// The command's files name the library as any other program does.
+#[cfg(feature = "cli")]
+extern crate self as guardbit;
 
 pub mod bits;
 pub mod case;
+#[cfg(feature = "cli")]
+#[allow(
+    rustdoc::broken_intra_doc_links,
+    rustdoc::invalid_html_tags,
+    reason = "comments of arguments are help texts, whose brackets are no links"
+)]
+pub mod cli;
 pub mod cover;
 pub mod dda;
 pub mod exact;

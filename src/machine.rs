@@ -1,29 +1,44 @@
 //! Rasterizers: each turns a primitive into spans, values and events by its own means.
 
 mod barycentric;
+mod bound;
+mod cost;
 mod edge_function;
 mod edge_walk;
+mod edge_words;
 mod engine_per_pixel;
 mod gouraud;
 mod homogeneous;
 mod line;
+mod list;
 mod multisampled;
+mod own;
 mod painter;
 mod port;
+mod rasterizer;
 mod register;
 mod scanline;
+mod state;
+mod step;
 mod tiles;
 mod traversed;
+mod word;
 
 pub use barycentric::{Barycentric, BarycentricConfig, BarycentricError};
-pub use edge_function::EdgeFunction;
+pub use bound::{plane_bound, rounding_error};
+pub use cost::{Count, Datapath, Dda, Operations, Unit, corners, signed_bits};
+pub use edge_function::{EdgeFunction, EdgeFunctionConfig};
 pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};
-pub use engine_per_pixel::{EnginePerPixel, serial_plane};
-pub use gouraud::Gouraud;
+pub use engine_per_pixel::{EnginePerPixel, EnginePerPixelConfig, serial_plane};
+pub use gouraud::{Gouraud, GouraudConfig};
 pub use homogeneous::{Homogeneous, HomogeneousConfig, HomogeneousError};
 pub use line::Lines;
+pub use list::{kinds, triangle_machines};
 pub use multisampled::Multisampled;
+pub use own::{AddError, Own, OwnForm, add};
+pub use painter::{Painter, drawable};
 pub use port::Ports;
+pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
     Product, QuadConfig, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig, RegisterError,
@@ -31,12 +46,37 @@ pub use register::{
     columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
+pub use state::{RasterState, Site};
+pub use step::{Steps, near, near_or_none};
 pub use tiles::{Tiles, TilesConfig, TilesError};
 pub use traversed::Traversed;
+pub use word::{Fact, Word, WordField, steps_below_half};
 
 use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid, Segment};
 use crate::setup::{ClipTriangle, Polygon, Snapped, Triangle, VertexField};
+
+// The one list of machines, in the order that reports and tables have.
+list::machines! {
+    /// Three edge functions over the bounding box (Pineda), or in the order of `[traversal]`.
+    EdgeFunction(EdgeFunctionConfig) in edge_function;
+    /// Three x DDAs, depth on a plane (VGX).
+    EdgeWalk(EdgeWalkConfig) in edge_walk;
+    /// x and depth walked down the edges, depth along each span (GTX).
+    Gouraud(GouraudConfig) in gouraud;
+    /// An engine at every pixel (Pixel-Planes 4).
+    EnginePerPixel(EnginePerPixelConfig) in engine_per_pixel;
+    /// An approximate walk, edge functions as a mask, barycentric values (InfiniteReality).
+    Barycentric(BarycentricConfig) in barycentric;
+    /// Small tiles, an engine each (Bali).
+    Tiles(TilesConfig) in tiles;
+    /// Homogeneous recursive descent (Olano and Greer).
+    Homogeneous(HomogeneousConfig) in homogeneous;
+    /// Exact sides and spans between them (Crow).
+    Scanline(ScanlineConfig) in scanline;
+    /// A machine that begins at registers.
+    Registers(Box<RegisterConfig>) in register;
+}
 
 /// One primitive, as a machine takes it.
 #[derive(Clone, Copy, Debug)]
@@ -58,7 +98,7 @@ pub enum Input<'a> {
 
 impl Input<'_> {
     /// The form of the primitive, for a message.
-    const fn name(&self) -> &'static str {
+    pub const fn name(&self) -> &'static str {
         match self {
             Self::Triangle(_) => "triangles",
             Self::Clip(_) => "homogeneous vertices",
@@ -82,8 +122,11 @@ impl Input<'_> {
         }
     }
 
-    /// The triangle of a machine that draws nothing else.
-    fn triangle(&self) -> Result<&Snapped<Triangle>, DrawError> {
+    /// The triangle, for a machine that draws nothing else.
+    ///
+    /// # Errors
+    /// [`DrawError::Primitive`] for any other primitive.
+    pub fn triangle(&self) -> Result<&Snapped<Triangle>, DrawError> {
         match self {
             Self::Triangle(triangle) => Ok(triangle),
             other => Err(DrawError::Primitive(other.name())),
@@ -133,6 +176,16 @@ pub enum DrawError {
         /// The primitive's.
         got: VertexField,
     },
+    /// The machine draws polygons, but not their depth.
+    #[error(
+        "the machine {machine} draws the coverage of a polygon and no depth: more than three points need \
+         not lie on one plane; leave z out, or choose a machine that walks depth down the edges: {}",
+        with_polygon_depth()
+    )]
+    PolygonDepth {
+        /// The machine.
+        machine: &'static str,
+    },
     /// Another number of words.
     #[error("{got} words are given, and this machine takes {need}")]
     Words {
@@ -153,6 +206,12 @@ pub enum DrawError {
         /// Largest taken.
         high: i128,
     },
+}
+
+/// The machines that draw polygons with depth.
+fn with_polygon_depth() -> String {
+    let kinds = kinds().filter(|kind| kind.polygons == Polygons::Depth);
+    kinds.map(|kind| kind.name).collect::<Vec<_>>().join(", ")
 }
 
 /// Where spans, values and events of a primitive go, in the order of y then x.

@@ -1,7 +1,5 @@
-//! The `guardbit` command. It sees only the crate's public API; one file a command.
-
-mod cli;
+//! The `guardbit` command, with the built-in machines.
 
 fn main() -> std::process::ExitCode {
-    cli::run()
+    guardbit::cli::main(&[])
 }

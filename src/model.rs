@@ -14,10 +14,9 @@ pub use walk::Walk;
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
 use crate::machine::{
-    Barycentric, DrawError, EdgeFunction, EdgeWalk, EnginePerPixel, Gouraud, Homogeneous, Input,
-    Lines, Machine, Multisampled, Ports, Registers, Scanline, Sink, Target, Tiles, Traversed,
+    DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
 };
-use crate::profile::{Form, InvalidProfile, Profile};
+use crate::profile::{InvalidProfile, Profile};
 use crate::scene;
 use crate::setup::{Triangle, VertexField};
 use crate::value::Depth;
@@ -195,28 +194,5 @@ fn build(
     target: Target,
     processor: Processor,
 ) -> Result<Box<dyn Machine>, InvalidProfile> {
-    let vertex = &profile.vertex;
-    Ok(match profile.form {
-        Form::EdgeFunction(edges) => match profile.traversal {
-            None => Box::new(EdgeFunction::new(edges, depth, vertex, target, processor)),
-            Some(traversal) => Box::new(Traversed::new(edges, traversal, depth, vertex, target)),
-        },
-        Form::EdgeWalk(walk) => {
-            Box::new(EdgeWalk::new(walk, walk.validate(vertex)?, depth, vertex, target))
-        }
-        Form::Gouraud(walk) => {
-            Box::new(Gouraud::new(walk, walk.validate(vertex)?, depth, vertex, target))
-        }
-        Form::EnginePerPixel(edges) => {
-            let exact = profile.exact_edge_width().unwrap_or(u32::MAX);
-            Box::new(EnginePerPixel::new(edges, exact, depth, vertex, target, processor))
-        }
-        Form::Barycentric(machine) => {
-            Box::new(Barycentric::new(machine, depth, vertex, target, processor))
-        }
-        Form::Tiles(machine) => Box::new(Tiles::new(machine, depth, vertex, target, processor)),
-        Form::Homogeneous(machine) => Box::new(Homogeneous::new(machine, depth, vertex, target)),
-        Form::Scanline(machine) => Box::new(Scanline::new(machine, depth, vertex, target)),
-        Form::Registers(ref machine) => Box::new(machine.machine(vertex, target)?),
-    })
+    Ok(profile.form.build(&profile.state(), Site { depth, target, processor })?)
 }

@@ -6,20 +6,16 @@ mod form;
 mod load;
 mod neighbour;
 
+pub use crate::machine::{Form, FormError, triangle_machines};
 pub use builtin::{BUILTIN, builtin};
-pub use form::{Form, MACHINES};
 pub use load::{ProfileError, load, parse};
 pub use neighbour::{Neighbour, neighbours};
 
 use crate::cover::{
-    EdgeWordError, LineConfig, LineError, MultisampleConfig, MultisampleError, PointConfig,
-    PointError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
+    LineConfig, LineError, MultisampleConfig, MultisampleError, PointConfig, PointError, Rect,
+    RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
-use crate::machine::{
-    BarycentricError, EdgeWalkError, HomogeneousError, RegisterConfig, RegisterError, Target,
-    TilesError,
-};
 use crate::setup::{VertexConfig, VertexError};
 use crate::value::{DepthConfig, DepthError};
 use schemars::JsonSchema;
@@ -109,30 +105,15 @@ pub enum InvalidProfile {
         "[multisample] takes depth from a plane, and the machine {0} has none; choose another machine"
     )]
     MultisampleDepth(&'static str),
-    /// The edge word.
+    /// The machine.
     #[error(transparent)]
-    EdgeWord(#[from] EdgeWordError),
-    /// The walked edge.
-    #[error(transparent)]
-    EdgeWalk(#[from] EdgeWalkError),
-    /// The tiles.
-    #[error(transparent)]
-    Tiles(#[from] TilesError),
-    /// The barycentric machine.
-    #[error(transparent)]
-    Barycentric(#[from] BarycentricError),
-    /// The homogeneous machine.
-    #[error(transparent)]
-    Homogeneous(#[from] HomogeneousError),
-    /// The registers.
-    #[error(transparent)]
-    Registers(#[from] RegisterError),
-    /// A table beside registers that they leave no room for.
+    Form(#[from] FormError),
+    /// A cost was asked for, and the machine states none.
     #[error(
-        "[{0}] beside [form.registers]: registers hold their own values, and a record is all that is \
-         drawn; take the table out"
+        "the machine {0} states no cost: its units, set-up and operations are not estimated; choose another \
+         machine"
     )]
-    BesideRegisters(&'static str),
+    NoCost(&'static str),
     /// An order of visits for a machine that has its own.
     #[error(
         "a [traversal] goes with [form.edge-function]; the machine {0} visits samples in an order of \
@@ -146,7 +127,7 @@ pub enum InvalidProfile {
 
 impl InvalidProfile {
     /// The table or key the fault lies in, from the profile's root.
-    pub fn field(&self) -> &'static [&'static str] {
+    pub fn field(&self) -> &[&'static str] {
         match self {
             Self::Schema(_) => &["schema"],
             Self::Name(_) => &["name"],
@@ -156,17 +137,9 @@ impl InvalidProfile {
             Self::Line(_) => &["line"],
             Self::Point(_) => &["point"],
             Self::Multisample(_) | Self::MultisampleDepth(_) => &["multisample"],
-            Self::EdgeWord(_) => &["form", "edge-function", "width"],
-            Self::EdgeWalk(_) => &["form", "edge-walk"],
-            Self::Tiles(_) => &["form", "tiles"],
-            Self::Barycentric(_) => &["form", "barycentric"],
-            Self::Homogeneous(_) => &["form", "homogeneous"],
+            Self::Form(error) => &error.field,
+            Self::NoCost(_) => &["form"],
             Self::Traversal(_) => &["traversal"],
-            Self::Registers(error) => error.field(),
-            Self::BesideRegisters(table) => match *table {
-                "depth" => &["depth"],
-                _ => &["multisample"],
-            },
             Self::Depth(DepthError::ReadOut(ReadOutError::Integer { .. })) => &["depth", "integer"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
@@ -196,25 +169,8 @@ impl Profile {
         self.vertex.validate()?;
         self.window()?;
         self.grid()?;
-        let read = self.depth.map(|depth| depth.validate(&self.vertex)).transpose()?;
-        match &self.form {
-            Form::EdgeFunction(edges) | Form::EnginePerPixel(edges) => edges.validate()?,
-            Form::EdgeWalk(walk) => {
-                walk.validate(&self.vertex)?;
-            }
-            Form::Gouraud(walk) => {
-                walk.validate(&self.vertex)?;
-                walk.validate_values(&self.vertex, read)?;
-            }
-            Form::Barycentric(machine) => machine.validate(&self.vertex, read)?,
-            Form::Tiles(machine) => machine.validate()?,
-            Form::Homogeneous(machine) => {
-                let growth = self.depth.map_or(0, |depth| depth.division.growth());
-                machine.validate(&self.vertex, read.map(|read| (read, growth)))?;
-            }
-            Form::Scanline(_) => {}
-            Form::Registers(machine) => self.registers(machine)?,
-        }
+        self.depth.map(|depth| depth.validate(&self.vertex)).transpose()?;
+        self.form.check(&self.state())?;
         if let Some(line) = &self.line {
             line.validate(self.vertex.difference_bits())?;
         }
@@ -227,19 +183,9 @@ impl Profile {
                 return Err(InvalidProfile::MultisampleDepth(self.form.name()));
             }
         }
-        if self.traversal.is_some() && !matches!(self.form, Form::EdgeFunction(_)) {
+        if self.traversal.is_some() && !self.form.visits_the_box() {
             return Err(InvalidProfile::Traversal(self.form.name()));
         }
-        Ok(())
-    }
-
-    fn registers(&self, machine: &RegisterConfig) -> Result<(), InvalidProfile> {
-        let beside = [("depth", self.depth.is_some()), ("multisample", self.multisample.is_some())];
-        if let Some((table, _)) = beside.into_iter().find(|(_, is_there)| *is_there) {
-            return Err(InvalidProfile::BesideRegisters(table));
-        }
-        let target = Target { grid: self.grid()?, clip: self.window()? };
-        machine.machine(&self.vertex, target)?;
         Ok(())
     }
 

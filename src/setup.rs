@@ -2,6 +2,7 @@
 //! A toolbox for machines, not a stage before them. Spec clauses `S-*`.
 
 mod clip;
+mod decision;
 mod divide;
 mod edge;
 mod plane;
@@ -12,6 +13,7 @@ mod snapped;
 mod triangle;
 
 pub use clip::{ClipSetup, ClipTriangle, Linear, linear_at};
+pub(crate) use decision::{rounding, roundings};
 pub use divide::{Divider, Division, DivisionError};
 pub use edge::{EdgeCoefficients, edges};
 pub use plane::{Gradient, Plane};

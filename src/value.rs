@@ -6,6 +6,7 @@ mod depth;
 mod depth_bias;
 mod depth_buffer;
 mod depth_codec;
+mod depth_decision;
 mod depth_format;
 mod interpolate;
 

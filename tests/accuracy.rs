@@ -41,11 +41,14 @@ fn profile(words: &mut Words) -> Profile {
             rounding: Rounding::ALL[index(words, 10)],
         })
     } else {
-        Form::EdgeFunction(EdgeWordConfig {
-            rule: FillRule::ALL[index(words, 2)],
-            storage: [EdgeStorage::Full, EdgeStorage::Shifted][index(words, 2)],
-            width: 6 + pick(words, 12),
-        })
+        Form::EdgeFunction(
+            EdgeWordConfig {
+                rule: FillRule::ALL[index(words, 2)],
+                storage: [EdgeStorage::Full, EdgeStorage::Shifted][index(words, 2)],
+                width: 6 + pick(words, 12),
+            }
+            .into(),
+        )
     };
     profile.depth = Some(DepthConfig {
         guard: pick(words, 3),
@@ -177,7 +180,7 @@ fn wraps_and_clamps_are_the_events_of_the_model() {
         // Exact coverage: the model then looks at the very samples that are measured.
         let wide =
             EdgeWordConfig { rule: FillRule::TopLeft, storage: EdgeStorage::Full, width: 40 };
-        profile.form = Form::EdgeFunction(wide);
+        profile.form = Form::EdgeFunction(wide.into());
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);
         let tally = measure(&stage, &Drawn::new(&stage, &profile).unwrap(), &profile).tally;
@@ -228,7 +231,7 @@ fn the_order_of_surfaces_is_that_of_the_drawn_codes() {
         let mut profile = profile(&mut words);
         let rule = FillRule::TopLeft;
         let wide = EdgeWordConfig { rule, storage: EdgeStorage::Full, width: 40 };
-        profile.form = Form::EdgeFunction(wide);
+        profile.form = Form::EdgeFunction(wide.into());
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);
         let tally = measure(&stage, &Drawn::new(&stage, &profile).unwrap(), &profile).tally;
@@ -271,7 +274,7 @@ fn snap_errors_are_those_of_every_sample() {
         let mut profile = profile(&mut words);
         let rule = FillRule::TopLeft;
         let wide = EdgeWordConfig { rule, storage: EdgeStorage::Full, width: 40 };
-        profile.form = Form::EdgeFunction(wide);
+        profile.form = Form::EdgeFunction(wide.into());
         profile.depth.as_mut().unwrap().integer = 10;
         let fine = real_triangles(&mut words, profile.depth_max());
         let given: Vec<scene::Triangle> = fine

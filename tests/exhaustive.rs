@@ -5,12 +5,12 @@
 mod oracle;
 
 use guardbit::bits::{Bits, Event, Lane, Rounding, Width, Word};
-use guardbit::cover::{EdgeWordConfig, FillRule, SampleGrid};
+use guardbit::cover::{FillRule, SampleGrid};
 use guardbit::dda::Linear;
 use guardbit::format::{Clamp, ReadOut};
 use guardbit::machine::EdgeWalkConfig;
 use guardbit::model::{Drawing, Model};
-use guardbit::profile::{Form, load};
+use guardbit::profile::load;
 use guardbit::setup::{Divider, Division, Triangle};
 
 // Clauses W-1, W-2, D-1, D-2
@@ -271,8 +271,8 @@ fn expected(rule: FillRule) -> Vec<u16> {
 
 fn toy(rule: FillRule, width: u32) -> Model {
     let mut profile = load("tiny").unwrap();
-    if let Form::EdgeFunction(EdgeWordConfig { rule: r, width: w, .. }) = &mut profile.form {
-        (*r, *w) = (rule, width);
+    if let Some(edges) = profile.form.edge_mut() {
+        (edges.rule, edges.width) = (rule, width);
     }
     Model::new(&profile).unwrap()
 }

@@ -2,13 +2,11 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::bits::{Bits, Event, Rounding, RunTime, WidthError, Word};
-use guardbit::cover::{
-    Bitmask, EdgeWordConfig, EdgeWordError, Rect, RectError, SampleConfig, SampleGrid,
-};
+use guardbit::cover::{Bitmask, EdgeWordError, Rect, RectError, SampleConfig, SampleGrid};
 use guardbit::format::{Clamp, QFormat, QFormatError, ReadOut, ReadOutError};
 use guardbit::machine::DrawError;
 use guardbit::model::{Drawing, Model, Raster, View};
-use guardbit::profile::{Form, InvalidProfile, Profile, WindowConfig, load};
+use guardbit::profile::{FormError, InvalidProfile, Profile, WindowConfig, load};
 use guardbit::scene;
 use guardbit::setup::{
     Coordinate, Division, DivisionError, Triangle, VertexError, VertexField, snap_f64,
@@ -28,8 +26,8 @@ fn row(y: u32) -> View {
 /// The profile with edge words of another width.
 fn edge_width(name: &str, width: u32) -> Profile {
     let mut profile = load(name).unwrap();
-    if let Form::EdgeFunction(EdgeWordConfig { width: w, .. }) = &mut profile.form {
-        *w = width;
+    if let Some(edges) = profile.form.edge_mut() {
+        edges.width = width;
     }
     profile
 }
@@ -107,7 +105,9 @@ fn sizes_at_and_beyond_their_bounds() {
     }
     for (width, good) in [(1, false), (2, true), (120, true), (121, false)] {
         let verdict = edge_width("tiny", width).validate();
-        let refused = Err(InvalidProfile::EdgeWord(EdgeWordError(width)));
+        let field = vec!["form", "edge-function", "width"];
+        let message = EdgeWordError(width).to_string();
+        let refused = Err(InvalidProfile::Form(FormError { field, message }));
         assert_eq!(verdict, if good { Ok(()) } else { refused });
     }
     for (width, height, good) in

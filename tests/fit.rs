@@ -349,7 +349,7 @@ fn an_edge_width_follows_the_grid_unless_it_is_varied() {
             other => panic!("{other:?}"),
         });
         budgets
-            .map(|p| guardbit::explore::field::Field::EdgeWidth.read(&p).unwrap().to_string())
+            .map(|p| guardbit::explore::field::Field::EDGE_WIDTH.read(&p).unwrap().to_string())
             .collect()
     };
     // 2k + s + 1 for k = 3.

@@ -14,7 +14,7 @@ use guardbit::format::Clamp;
 use guardbit::machine::{Sink, serial_plane};
 use guardbit::measure::error::{SampleError, triangle_error};
 use guardbit::model::{Drawing, Model, Span};
-use guardbit::profile::{Form, MACHINES, Profile, load};
+use guardbit::profile::{Form, Profile, load, triangle_machines};
 use guardbit::scene;
 use guardbit::setup::Triangle;
 
@@ -30,9 +30,8 @@ fn toy(rule: FillRule) -> Profile {
 
 /// The machines whose coverage is exact, and edge functions in every order.
 fn exact_machines(base: &Profile) -> Vec<(String, Profile)> {
-    let mut list: Vec<(String, Profile)> = MACHINES
-        .iter()
-        .map(|(name, _)| ((*name).to_owned(), base.with_machine(name).unwrap()))
+    let mut list: Vec<(String, Profile)> = triangle_machines()
+        .map(|kind| (kind.name.to_owned(), base.with_machine(kind.name).unwrap()))
         .filter(|(_, profile)| profile.covers_exactly())
         .collect();
     assert_eq!(list.len(), 6, "two of eight walk their edges");
@@ -203,7 +202,7 @@ fn inexact_machines_stay_within_their_bounds() {
         if triangle.area2() == 0 {
             continue;
         }
-        for (n, (name, _)) in MACHINES.iter().enumerate() {
+        for (n, name) in triangle_machines().map(|kind| kind.name).enumerate() {
             let profile = base.with_machine(name).unwrap();
             let model = Model::new(&profile).unwrap();
             let limit = bound(&profile, &triangle);
@@ -336,7 +335,8 @@ fn a_small_triangle_costs_the_same_in_any_window() {
         xy: [[40 << 10, 40 << 10], [44 << 10, 41 << 10], [41 << 10, 44 << 10]],
         z: Some([0, 5, 9]),
     };
-    for (name, _) in MACHINES.iter().filter(|(name, _)| *name != "engine-per-pixel") {
+    for name in triangle_machines().map(|kind| kind.name).filter(|name| *name != "engine-per-pixel")
+    {
         let mut works = Vec::new();
         for side in [64, 4096] {
             let mut profile = load("sgi-4k").unwrap();
@@ -351,7 +351,7 @@ fn a_small_triangle_costs_the_same_in_any_window() {
         }
         // A descent has one more level each time the window doubles, and looks at up to
         // eight blocks there.
-        let levels = if *name == "homogeneous" { 8 * 6 } else { 0 };
+        let levels = if name == "homogeneous" { 8 * 6 } else { 0 };
         assert_eq!(works[0].visits, works[1].visits, "{name}");
         assert!(works[1].tiles <= works[0].tiles + levels, "{name} {works:?}");
     }
@@ -594,7 +594,7 @@ fn the_quickest_path_writes_what_is_drawn() {
         let mut base = load(name).unwrap();
         base.window.width = base.window.width.min(90);
         base.window.height = base.window.height.min(70);
-        for (machine, _) in MACHINES {
+        for machine in triangle_machines().map(|kind| kind.name) {
             let model = Model::new(&base.with_machine(machine).unwrap()).unwrap();
             let scenes =
                 ["fan", "triangle"].map(|name| scene::load(name, &model.viewport()).unwrap());

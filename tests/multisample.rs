@@ -7,7 +7,7 @@ use guardbit::case::Words;
 use guardbit::cover::{DepthAt, FillRule, MultisampleConfig};
 use guardbit::exact::{Rule, covers, plane_at, round};
 use guardbit::model::{Drawing, Model};
-use guardbit::profile::{MACHINES, Profile, WindowConfig, load};
+use guardbit::profile::{Profile, WindowConfig, load, triangle_machines};
 use guardbit::setup::Triangle;
 use std::io::Write as _;
 use std::process::{Command, Stdio};
@@ -65,7 +65,7 @@ fn masks_are_the_exact_coverage_of_every_sample() {
         for (rule, exact) in [(FillRule::TopLeft, Rule::TopLeft), (FillRule::Shadow, Rule::Shadow)]
         {
             let base = profile(samples, DepthAt::Centre, rule);
-            for (n, (machine, _)) in MACHINES.iter().enumerate() {
+            for (n, machine) in triangle_machines().map(|kind| kind.name).enumerate() {
                 let profile = Profile { depth: None, ..base.clone() };
                 let profile = profile.with_machine(machine).unwrap();
                 if !profile.covers_exactly() {

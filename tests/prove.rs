@@ -400,11 +400,10 @@ fn a_profile_and_a_question_count_the_same_edge_bits() {
                 for band in [0, 3, 1000] {
                     let mut changed =
                         Profile { sample: Some(SampleConfig { x, y }), ..profile.clone() };
-                    let Form::EdgeFunction(EdgeWordConfig { width, .. }) = changed.form else {
-                        panic!("{name}")
-                    };
+                    let width = changed.form.edge().unwrap().width;
                     let storage = EdgeStorage::Shifted;
-                    changed.form = Form::EdgeFunction(EdgeWordConfig { rule, storage, width });
+                    changed.form =
+                        Form::EdgeFunction(EdgeWordConfig { rule, storage, width }.into());
                     let overrides = Overrides { guard_band: Some(band), ..PLAIN };
                     let question = Question::new(&changed, overrides).unwrap();
                     let window = (changed.window.width, changed.window.height);

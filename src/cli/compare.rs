@@ -16,7 +16,7 @@ use super::progress;
 use clap::ValueEnum;
 use guardbit::cover::Stamp;
 use guardbit::measure::comparison::Compared;
-use guardbit::profile::{self, MACHINES, Profile};
+use guardbit::profile::{self, Profile, triangle_machines};
 use guardbit::scene::{self, Scene};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
@@ -86,11 +86,9 @@ enum Show {
 }
 
 pub(crate) fn parse_machine(text: &str) -> Result<&'static str, String> {
-    let known = MACHINES.into_iter().map(|(name, _)| name);
-    known
-        .clone()
-        .find(|name| *name == text)
-        .ok_or_else(|| format!("the machines are {}", known.collect::<Vec<_>>().join(", ")))
+    let known: Vec<&str> = triangle_machines().map(|kind| kind.name).collect();
+    let found = known.iter().copied().find(|name| *name == text);
+    found.ok_or_else(|| format!("the machines are {}", known.join(", ")))
 }
 
 fn parse_stamp(text: &str) -> Result<Stamp, String> {
@@ -137,7 +135,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 impl Request<'_> {
     /// The machines asked for; all of them by default.
     fn machines(&self) -> Vec<&'static str> {
-        let all = || MACHINES.map(|(name, _)| name).to_vec();
+        let all = || triangle_machines().map(|kind| kind.name).collect();
         if self.arguments.machines.is_empty() { all() } else { self.arguments.machines.clone() }
     }
 

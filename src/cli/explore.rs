@@ -141,17 +141,17 @@ pub(crate) fn parse_metric(name: &str) -> Result<Metric, String> {
 /// What a bare `explore` varies: bits that matter on every scene.
 fn default_axes(base: &Profile) -> Vec<Axis> {
     let mut axes = vec![Axis {
-        field: Field::SubPixel,
+        field: Field::SUB_PIXEL,
         values: [4, 6, 8, 10].map(guardbit::explore::field::Value::Bits).to_vec(),
     }];
     if let Some(depth) = base.depth {
         let bits = |from: u32, to| (from..=to).map(guardbit::explore::field::Value::Bits).collect();
         let most = depth.interpolation;
         axes.push(Axis {
-            field: Field::Interpolation,
+            field: Field::INTERPOLATION,
             values: bits(most.saturating_sub(10), most),
         });
-        axes.push(Axis { field: Field::Guard, values: bits(0, depth.guard.max(1)) });
+        axes.push(Axis { field: Field::GUARD, values: bits(0, depth.guard.max(1)) });
     }
     axes
 }

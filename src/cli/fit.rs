@@ -79,12 +79,12 @@ fn default_axes(base: &Profile) -> Vec<Axis> {
     let mut axes = Vec::new();
     if let Some(width) = base.exact_edge_width() {
         let values = bits(2, width);
-        axes.push(Axis { field: Field::EdgeWidth, values });
+        axes.push(Axis { field: Field::EDGE_WIDTH, values });
     }
     if let Some(depth) = base.depth {
         let most = depth.interpolation;
-        axes.push(Axis { field: Field::Interpolation, values: bits(0, most) });
-        axes.push(Axis { field: Field::Guard, values: bits(0, depth.guard.max(1)) });
+        axes.push(Axis { field: Field::INTERPOLATION, values: bits(0, most) });
+        axes.push(Axis { field: Field::GUARD, values: bits(0, depth.guard.max(1)) });
     }
     axes
 }
@@ -126,7 +126,7 @@ fn look_for_nothing(best: &Best, tolerances: &[Tolerance]) -> Result<(), Failure
 /// none.
 fn refuse_own_depth(sweep: &guardbit::explore::sweep::Sweep) -> Result<(), Failure> {
     let base = sweep.space.base();
-    let varied = sweep.space.axes().iter().filter(|axis| axis.field == Field::Form);
+    let varied = sweep.space.axes().iter().filter(|axis| axis.field == Field::FORM);
     let names = varied.flat_map(|axis| &axis.values).map(ToString::to_string);
     let own = std::iter::once(base.form.name().to_owned()).chain(names).find(|name| {
         base.with_machine(name).is_some_and(|p| p.depth.is_some() && !p.form.walks_a_plane())

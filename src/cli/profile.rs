@@ -21,13 +21,16 @@ enum Action {
     Show {
         /// A built-in name or a TOML file.
         profile: String,
-        /// The same with another machine: edge-function, edge-walk, gouraud, engine-per-pixel,
-        /// barycentric, tiles, homogeneous or scanline.
-        #[arg(long, value_name = "NAME", value_parser = super::compare::parse_machine)]
+        #[arg(long, value_name = "NAME", value_parser = super::compare::parse_machine, help = machines())]
         machine: Option<&'static str>,
     },
     /// The JSON schema of profile files.
     Schema,
+}
+
+fn machines() -> String {
+    let names: Vec<&str> = profile::triangle_machines().map(|kind| kind.name).collect();
+    format!("The same with another machine: {}", names.join(", "))
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

@@ -2,6 +2,7 @@
 //! Spec clauses `O-1` to `O-5`.
 
 mod curve;
+mod decision;
 mod sweep;
 
 use schemars::JsonSchema;

@@ -1,78 +1,45 @@
-//! The fields of a profile that a search may vary, by name. Spec clause `Q-1`.
+//! The fields of a profile that a search may vary, by name: the decisions that its owners list. Spec clause
+//! `Q-1`.
 
 mod place;
 
-use crate::bits::Rounding;
-use crate::cover::{Order, Stamp};
-use crate::format::Clamp;
-use crate::profile::MACHINES;
-use crate::value::DepthFormat;
-use serde::Serialize;
+use crate::cover::{EdgeWordConfig, TraversalConfig};
+use crate::machine::{EdgeWalkConfig, kinds, triangle_machines};
+use crate::setup::VertexConfig;
+use crate::value::DepthConfig;
 use std::fmt::Display;
 
-/// What a field is set to.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(untagged)]
-pub enum Value {
-    /// A number of bits.
-    Bits(u32),
-    /// A choice.
-    Name(&'static str),
-}
+pub use crate::format::{Decision, Level, Takes, Value};
 
-/// How much of a measurement depends on a field: fields of an outer level are varied last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Level {
-    /// The scene on its grid, and everything after it.
-    Stage,
-    /// What is drawn, and the values at drawn samples.
-    Coverage,
-    /// The values alone.
-    Value,
-}
-
-/// A field of a profile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Field {
-    /// Sub-pixel bits of the vertex grid.
-    SubPixel,
-    /// Integer bits of the vertex field.
-    VertexInteger,
-    /// Rounding of vertices to their grid.
-    Snap,
-    /// Depth bits.
-    Integer,
-    /// The machine.
+/// Whose decision a field is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Owner {
+    /// The vertex field.
+    Vertex,
+    /// The profile: its machine.
     Form,
-    /// The order in which samples are visited.
+    /// The traversal.
     Traversal,
-    /// Pixels evaluated in one step.
-    Stamp,
-    /// Bits of an edge word.
-    EdgeWidth,
-    /// Fraction bits of a walked edge.
-    WalkFraction,
-    /// Integer bits of a walked edge.
-    WalkInteger,
-    /// Guard bits of a walked edge.
-    WalkGuard,
-    /// Rounding of a walked edge.
-    WalkRounding,
-    /// Interpolation bits of depth.
-    Interpolation,
-    /// Guard bits of depth.
-    Guard,
-    /// Rounding of the depth plane.
-    Rounding,
-    /// Clamp of the depth read-out.
-    Clamp,
-    /// Bits of the reciprocal behind the depth plane.
-    Reciprocal,
-    /// What the depth start gains.
-    StartBias,
-    /// What is stored of depth.
-    DepthFormat,
+    /// The machine.
+    Machine,
+    /// The depth plane.
+    Depth,
 }
+
+/// A field of a profile: a decision of the vertex field, the traversal, the machine or the depth plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    decision: &'static Decision,
+    owner: Owner,
+}
+
+impl PartialEq for Field {
+    fn eq(&self, other: &Self) -> bool {
+        self.name() == other.name()
+    }
+}
+
+impl Eq for Field {}
 
 /// Why a field does not take a value in some profile.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -92,115 +59,99 @@ pub enum FieldError {
     },
 }
 
-/// The word that makes an edge width follow the grid and the window.
-const EXACT: &str = "exact";
-/// The word for a division without a reciprocal.
-const QUOTIENT: &str = "quotient";
-/// The word for visiting the bounding box row by row, as a profile without a `[traversal]` does.
-const ROWS: &str = "rows";
-const BIASES: [&str; 2] = ["none", "half"];
-
-impl Display for Value {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Bits(bits) => write!(f, "{bits}"),
-            Self::Name(name) => f.write_str(name),
-        }
-    }
-}
+/// The machine itself.
+const FORM: Decision = Decision::words("form", Level::Stage, "A-2", || {
+    triangle_machines().map(|kind| kind.name).collect()
+});
 
 impl Field {
-    /// Every field, in the order that budgets are listed in.
-    pub const ALL: [Self; 19] = [
-        Self::SubPixel,
-        Self::VertexInteger,
-        Self::Snap,
-        Self::Integer,
-        Self::Form,
-        Self::Traversal,
-        Self::Stamp,
-        Self::EdgeWidth,
-        Self::WalkFraction,
-        Self::WalkInteger,
-        Self::WalkGuard,
-        Self::WalkRounding,
-        Self::Interpolation,
-        Self::Guard,
-        Self::Rounding,
-        Self::Clamp,
-        Self::Reciprocal,
-        Self::StartBias,
-        Self::DepthFormat,
-    ];
+    /// Sub-pixel bits of the vertex grid.
+    pub const SUB_PIXEL: Self = Self::of(Owner::Vertex, &VertexConfig::SUB_PIXEL);
+    /// The machine.
+    pub const FORM: Self = Self::of(Owner::Form, &FORM);
+    /// Bits of an edge word.
+    pub const EDGE_WIDTH: Self = Self::of(Owner::Machine, &EdgeWordConfig::WIDTH);
+    /// Fraction bits of a walked edge.
+    pub const WALK_FRACTION: Self = Self::of(Owner::Machine, &EdgeWalkConfig::FRACTION);
+    /// Integer bits of a walked edge.
+    pub const WALK_INTEGER: Self = Self::of(Owner::Machine, &EdgeWalkConfig::INTEGER);
+    /// Guard bits of a walked edge.
+    pub const WALK_GUARD: Self = Self::of(Owner::Machine, &EdgeWalkConfig::GUARD);
+    /// Depth bits.
+    pub const INTEGER: Self = Self::of(Owner::Depth, &DepthConfig::INTEGER);
+    /// Interpolation bits of depth.
+    pub const INTERPOLATION: Self = Self::of(Owner::Depth, &DepthConfig::INTERPOLATION);
+    /// Guard bits of depth.
+    pub const GUARD: Self = Self::of(Owner::Depth, &DepthConfig::GUARD);
+    /// Clamp of the depth read-out.
+    pub const CLAMP: Self = Self::of(Owner::Depth, &DepthConfig::CLAMP);
+    /// Bits of the reciprocal behind the depth plane.
+    pub const RECIPROCAL: Self = Self::of(Owner::Depth, &DepthConfig::RECIPROCAL);
+
+    const fn of(owner: Owner, decision: &'static Decision) -> Self {
+        Self { decision, owner }
+    }
+
+    /// Every field, in the order that budgets are listed in: the outer level first, and within a level the
+    /// vertex field, the machine with its traversal, and depth.
+    pub fn all() -> Vec<Self> {
+        let list = |owner, decisions: &'static [Decision]| {
+            decisions.iter().map(move |decision| Self::of(owner, decision))
+        };
+        // Depth bits are a part of the stage and come before the machine.
+        let mut all: Vec<Self> = list(Owner::Vertex, VertexConfig::DECISIONS)
+            .chain(list(Owner::Depth, DepthConfig::DECISIONS))
+            .chain([Self::FORM])
+            .chain(list(Owner::Traversal, TraversalConfig::DECISIONS))
+            .collect();
+        for kind in kinds() {
+            for field in list(Owner::Machine, kind.decisions) {
+                // Machines that share a word share its decisions.
+                if !all.contains(&field) {
+                    all.push(field);
+                }
+            }
+        }
+        all.sort_by_key(|field| field.level());
+        all
+    }
 
     /// The name on the command line and in reports.
     pub const fn name(self) -> &'static str {
-        match self {
-            Self::SubPixel => "sub-pixel",
-            Self::VertexInteger => "vertex-integer",
-            Self::Snap => "snap",
-            Self::Integer => "integer",
-            Self::Form => "form",
-            Self::Traversal => "traversal",
-            Self::Stamp => "stamp",
-            Self::EdgeWidth => "edge-width",
-            Self::WalkFraction => "walk-fraction",
-            Self::WalkInteger => "walk-integer",
-            Self::WalkGuard => "walk-guard",
-            Self::WalkRounding => "walk-rounding",
-            Self::Interpolation => "interpolation",
-            Self::Guard => "guard",
-            Self::Rounding => "rounding",
-            Self::Clamp => "clamp",
-            Self::Reciprocal => "reciprocal",
-            Self::StartBias => "start-bias",
-            Self::DepthFormat => "depth-format",
-        }
+        self.decision.name
     }
 
     /// How far a change of the field reaches.
     pub const fn level(self) -> Level {
-        match self {
-            Self::SubPixel | Self::VertexInteger | Self::Snap | Self::Integer | Self::Form => {
-                Level::Stage
-            }
-            Self::Traversal
-            | Self::Stamp
-            | Self::EdgeWidth
-            | Self::WalkFraction
-            | Self::WalkInteger
-            | Self::WalkGuard
-            | Self::WalkRounding => Level::Coverage,
-            _ => Level::Value,
-        }
+        self.decision.level
+    }
+
+    /// The clause that says what it decides.
+    pub const fn clause(self) -> &'static str {
+        self.decision.clause
+    }
+
+    /// What it takes.
+    pub const fn takes(self) -> Takes {
+        self.decision.takes
     }
 
     /// The field of that name.
     pub fn find(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|field| field.name() == name)
+        Self::all().into_iter().find(|field| field.name() == name)
     }
 
     /// The words that the field takes, beside or instead of numbers.
     pub fn words(self) -> Vec<&'static str> {
-        match self {
-            Self::Snap | Self::WalkRounding | Self::Rounding => {
-                Rounding::ALL.map(|rounding| rounding.names().guardbit).to_vec()
-            }
-            Self::Form => MACHINES.map(|(name, _)| name).to_vec(),
-            Self::Traversal => std::iter::once(ROWS).chain(Order::ALL.map(Order::name)).collect(),
-            Self::Stamp => Stamp::ALL.map(Stamp::name).to_vec(),
-            Self::Clamp => Clamp::ALL.map(Clamp::name).to_vec(),
-            Self::StartBias => BIASES.to_vec(),
-            Self::DepthFormat => DepthFormat::NAMES.to_vec(),
-            Self::EdgeWidth => vec![EXACT],
-            Self::Reciprocal => vec![QUOTIENT],
-            _ => Vec::new(),
+        match self.decision.takes {
+            Takes::Bits { word, .. } => word.into_iter().collect(),
+            Takes::Words(words) => words(),
         }
     }
 
     /// Whether the field counts bits, so that "one bit less" means something.
-    pub fn is_bits(self) -> bool {
-        self.words().len() <= 1
+    pub const fn is_bits(self) -> bool {
+        matches!(self.decision.takes, Takes::Bits { .. })
     }
 
     /// The value that a word or number stands for.

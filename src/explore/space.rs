@@ -113,7 +113,7 @@ impl Axis {
         let (name, list) = text.split_once('=').ok_or_else(syntax)?;
         let field = Field::find(name.trim()).ok_or_else(|| SpaceError::Unknown {
             name: name.trim().to_owned(),
-            known: Field::ALL.map(Field::name).join(", "),
+            known: Field::all().into_iter().map(Field::name).collect::<Vec<_>>().join(", "),
         })?;
         let mut values = Vec::new();
         for part in list.split(',').map(str::trim) {
@@ -161,8 +161,8 @@ impl Space {
             }
         }
         let has = |field| axes.iter().any(|axis: &Axis| axis.field == field);
-        let own = Field::EdgeWidth.read(&base);
-        let follows = !has(Field::EdgeWidth)
+        let own = Field::EDGE_WIDTH.read(&base);
+        let follows = !has(Field::EDGE_WIDTH)
             && own.is_some()
             && own == base.exact_edge_width().map(Value::Bits);
         let space = Self { base, axes, follows };
@@ -188,11 +188,11 @@ impl Space {
 
     /// Every axis sets a field that the profile has, in one of the forms that are searched.
     fn fields_exist(&self) -> Result<(), FieldError> {
-        let forms = self.axes.iter().find(|axis| axis.field == Field::Form);
+        let forms = self.axes.iter().find(|axis| axis.field == Field::FORM);
         let mut bases = vec![self.base.clone()];
         for form in forms.map_or(&[][..], |axis| &axis.values) {
             let mut base = self.base.clone();
-            Field::Form.write(&mut base, form)?;
+            Field::FORM.write(&mut base, form)?;
             bases.push(base);
         }
         for Axis { field, values } in &self.axes {
@@ -229,7 +229,7 @@ impl Space {
         let mut changed = profile.clone();
         field.write(&mut changed, value)?;
         if self.follows {
-            let _ = Field::EdgeWidth.write(&mut changed, &Value::Name("exact"));
+            let _ = Field::EDGE_WIDTH.write(&mut changed, &Value::Name("exact"));
         }
         Ok(changed)
     }
@@ -277,11 +277,11 @@ impl Space {
         let mut profile = self.base.clone();
         let mut order: Vec<usize> = (0..self.axes.len()).collect();
         // Whether a field exists can depend on the form: that one is set first.
-        order.sort_by_key(|axis| self.axes[*axis].field != Field::Form);
+        order.sort_by_key(|axis| self.axes[*axis].field != Field::FORM);
         let mut late = None;
         for axis in order {
             let (Axis { field, values }, choice) = (&self.axes[axis], choices[axis]);
-            if (*field, &values[choice]) == (Field::EdgeWidth, &Value::Name("exact")) {
+            if (*field, &values[choice]) == (Field::EDGE_WIDTH, &Value::Name("exact")) {
                 late = Some(&values[choice]);
                 continue;
             }
@@ -294,7 +294,7 @@ impl Space {
         }
         // A width that follows the grid has to wait for it.
         if late.is_some() || self.follows {
-            let _ = Field::EdgeWidth.write(&mut profile, &Value::Name("exact"));
+            let _ = Field::EDGE_WIDTH.write(&mut profile, &Value::Name("exact"));
         }
         Ok(match profile.validate() {
             Ok(()) => Point::Budget(profile),
@@ -336,12 +336,12 @@ impl Space {
 /// What a budget is made of, by name: its fields, and the bits of its words.
 pub fn describe(profile: &Profile) -> Vec<(&'static str, Value)> {
     let fields =
-        Field::ALL.into_iter().filter_map(|field| Some((field.name(), field.read(profile)?)));
-    let edge = match Field::EdgeWidth.read(profile) {
+        Field::all().into_iter().filter_map(|field| Some((field.name(), field.read(profile)?)));
+    let edge = match Field::EDGE_WIDTH.read(profile) {
         Some(Value::Bits(bits)) => Some(bits),
-        _ => sum(profile, [Field::WalkGuard, Field::WalkInteger, Field::WalkFraction]),
+        _ => sum(profile, [Field::WALK_GUARD, Field::WALK_INTEGER, Field::WALK_FRACTION]),
     };
-    let depth = sum(profile, [Field::Guard, Field::Integer, Field::Interpolation]);
+    let depth = sum(profile, [Field::GUARD, Field::INTEGER, Field::INTERPOLATION]);
     let words = [("edge-bits", edge), ("depth-bits", depth)];
     fields
         .chain(words.into_iter().filter_map(|(name, bits)| Some((name, Value::Bits(bits?)))))

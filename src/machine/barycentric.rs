@@ -2,11 +2,15 @@
 //! and two barycentric coordinates, walked on the sample grid, weigh the vertex values at every
 //! fragment. Spec clauses `A-2` and `A-6`.
 
+mod form;
+
+pub(super) use form::KIND;
+
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{accumulated_span, drawable};
 use super::{DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
-use crate::cover::{EdgeWordConfig, EdgeWordError, FillRule};
+use crate::cover::{EdgeWordConfig, EdgeWordError};
 use crate::dda::Processor;
 use crate::format::{Column, ReadOut};
 use crate::setup::{Division, Gradient, Plane, Triangle, VertexConfig};
@@ -62,6 +66,17 @@ pub enum BarycentricError {
     /// The walk's fraction.
     #[error("walk-fraction = {0}: the approximate walk has 0 to 40 fraction bits")]
     Walk(u32),
+}
+
+impl BarycentricError {
+    /// The key that is at fault, from the machine's table.
+    const fn field(&self) -> &'static [&'static str] {
+        match self {
+            Self::Edge(_) => &["edge", "width"],
+            Self::Setup { .. } | Self::Sum { .. } => &["coordinate"],
+            Self::Walk(_) => &["walk-fraction"],
+        }
+    }
 }
 
 impl BarycentricConfig {
@@ -272,12 +287,5 @@ impl Machine for Barycentric {
         work.steps = work.visits;
         out.work(&work);
         Ok(())
-    }
-}
-
-impl BarycentricConfig {
-    /// The rule of its edge words.
-    pub const fn rule(&self) -> FillRule {
-        self.edge.rule
     }
 }

@@ -1,6 +1,11 @@
 //! The edge-function machine: three exact (or deliberately narrow) edge words over the bounding
 //! box, row by row, and a depth plane. Spec clauses `C-4` to `C-7`.
 
+mod form;
+
+pub use form::EdgeFunctionConfig;
+pub(super) use form::KIND;
+
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;

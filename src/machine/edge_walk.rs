@@ -1,6 +1,10 @@
 //! The slope-form edge walk: an x DDA down each edge. Measurably inexact, and kept for that.
 //! Spec clauses `K-1` to `K-5`.
 
+mod form;
+
+pub(super) use form::KIND;
+
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;

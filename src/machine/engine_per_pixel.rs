@@ -1,6 +1,11 @@
 //! An engine at every pixel: all of them evaluate every primitive, fed by a tree of bit-serial
 //! adders that multiplies a coefficient with every column at once. Spec clauses `A-2` and `A-4`.
 
+mod form;
+
+pub use form::EnginePerPixelConfig;
+pub(super) use form::KIND;
+
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{Painter, drawable};
 use super::{DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};

@@ -1,6 +1,11 @@
 //! The two-stage DDA of Gouraud shading: x and depth walk down the edges, depth walks along the
 //! span between them. Draws quadrilaterals and other polygons, too. Spec clauses `A-2` and `A-3`.
 
+mod form;
+
+pub use form::GouraudConfig;
+pub(super) use form::KIND;
+
 use super::painter::{accumulated_span, drawable};
 use super::{DrawError, EdgeWalkConfig, Input, Machine, Ports, Sink, Target, WalkedEdge, Work};
 use crate::bits::Rounding;

@@ -3,6 +3,9 @@
 //! left. Spec clauses `A-2` and `A-8`.
 
 mod descent;
+mod form;
+
+pub(super) use form::KIND;
 
 use super::painter::Painter;
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};

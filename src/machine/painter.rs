@@ -7,7 +7,7 @@ use crate::setup::{Plane, Triangle};
 use crate::value::Depth;
 
 /// The normalised triangle, or `None` after reporting that it has no area. Spec clause `T-3`.
-pub(super) fn drawable(triangle: &Triangle, out: &mut dyn Sink) -> Option<Triangle> {
+pub fn drawable(triangle: &Triangle, out: &mut dyn Sink) -> Option<Triangle> {
     let triangle = triangle.normalised();
     if triangle.area2() == 0 {
         out.zero_area();
@@ -16,14 +16,16 @@ pub(super) fn drawable(triangle: &Triangle, out: &mut dyn Sink) -> Option<Triang
     Some(triangle)
 }
 
-/// Values and events of the spans of one triangle.
-pub(super) struct Painter {
+/// Values and events of the spans of one triangle, where depth is a plane.
+#[derive(Debug)]
+pub struct Painter {
     depth: Option<(Depth, Plane)>,
     values: Vec<u64>,
 }
 
 impl Painter {
-    pub(super) fn new(depth: Option<Depth>, triangle: &Triangle, target: &Target) -> Self {
+    /// The plane of a normalised triangle, set up; without depth there is none.
+    pub fn new(depth: Option<Depth>, triangle: &Triangle, target: &Target) -> Self {
         let plane = depth.zip(triangle.z);
         let plane = plane.map(|(depth, z)| (depth, depth.plane(triangle, z, &target.grid)));
         Self::over(plane)
@@ -34,21 +36,20 @@ impl Painter {
         Self { depth, values: Vec::new() }
     }
 
-    /// Hands the set-up words to the sink; a triangle without depth has zeros there.
-    pub(super) fn announce(&self, mut words: Vec<i128>, has_depth: bool, out: &mut dyn Sink) {
+    /// Hands the set-up words to the sink, in the order of [`super::Ports::triangle`]: those of coverage, and
+    /// with `has_depth` those of depth; a triangle without depth has zeros there.
+    pub fn announce(&self, mut words: Vec<i128>, has_depth: bool, out: &mut dyn Sink) {
         if has_depth {
             words.extend(self.depth.as_ref().map_or([0; 3], |(_, plane)| plane.raw()));
         }
         out.setup(&words);
     }
 
-    pub(super) fn span(
-        &mut self,
-        y: u32,
-        x0: u32,
-        x1: u32,
-        out: &mut dyn Sink,
-    ) -> Result<(), DrawError> {
+    /// Draws the covered samples `[x0, x1)` of row y: values, read-out and events.
+    ///
+    /// # Errors
+    /// [`DrawError::GuardRange`] under the clamp mode `error`.
+    pub fn span(&mut self, y: u32, x0: u32, x1: u32, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some((depth, plane)) = &self.depth else {
             out.span(y, x0, x1, &[]);
             return Ok(());

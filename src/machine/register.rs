@@ -2,19 +2,17 @@
 //! Spec clauses `RG-1` to `RG-4`.
 
 mod anchored;
+mod engine;
+mod form;
 mod host;
 mod input;
 mod quad;
-mod quad_engine;
-mod quad_host;
 mod slope;
-mod slope_edge;
-mod slope_host;
 mod sub_scanline;
-mod sub_span;
 mod text;
 
 pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest};
+pub use engine::EngineConfig;
 pub use input::RegisterError;
 pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};
 pub use slope::{ClipEnds, Plane, RowOrder, SlopeConfig, SlopeEdges};
@@ -25,6 +23,8 @@ use super::{DrawError, Input, Machine, Ports, Sink, Target};
 use crate::format::{Column, Layout, Packer};
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, ChannelConfig};
+use engine::{Built, Engine};
+pub(super) use form::KIND;
 use input::Inputs;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -54,32 +54,6 @@ pub struct RecordConfig {
     pub letter: char,
     /// Its words: the fields in each.
     pub words: Vec<String>,
-}
-
-/// How registers become fragments.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case", deny_unknown_fields)]
-pub enum EngineConfig {
-    /// Wrapping edge functions over quads of 2 x 2 pixels.
-    Quads(QuadConfig),
-    /// Vertices, exact spans, and planes anchored at one vertex.
-    Anchored(AnchoredConfig),
-    /// Edges walked by their slopes, one row at a time.
-    Slopes(SlopeConfig),
-    /// Edges walked by their slopes, four sub-scanlines a row.
-    SubScanlines(SubScanlineConfig),
-}
-
-impl EngineConfig {
-    /// The name profiles use.
-    pub const fn name(&self) -> &'static str {
-        match self {
-            Self::Quads(_) => "quads",
-            Self::Anchored(_) => "anchored",
-            Self::Slopes(_) => "slopes",
-            Self::SubScanlines(_) => "sub-scanlines",
-        }
-    }
 }
 
 /// A kind of record, ready to be written.
@@ -132,18 +106,6 @@ pub struct Registers {
     pub records: Vec<Record>,
 }
 
-/// What turns words into records.
-trait Engine: Send + Sync + std::fmt::Debug {
-    /// Draws what the words say; `emit` takes the kind of a record and its values.
-    fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
-
-    /// The words that a host would write for a triangle, one list or more, each of `count` words.
-    fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>>;
-}
-
-/// An engine, and the names of the values of each kind of record that it writes.
-type Built = (Box<dyn Engine>, Vec<Vec<String>>);
-
 /// A machine that begins at registers.
 #[derive(Debug)]
 pub struct RegisterMachine {
@@ -176,14 +138,7 @@ impl RegisterConfig {
             }
         }
         let inputs = Inputs::new(&input);
-        let (engine, made): Built = match &self.engine {
-            EngineConfig::Quads(config) => config.engine(&inputs, &channels, vertex, target)?,
-            EngineConfig::Anchored(config) => config.engine(&inputs, channels, vertex, target)?,
-            EngineConfig::Slopes(config) => config.engine(&inputs, channels, vertex, target)?,
-            EngineConfig::SubScanlines(config) => {
-                config.engine(&inputs, channels, vertex, target)?
-            }
-        };
+        let (engine, made): Built = self.engine.form().build(&inputs, channels, vertex, target)?;
         inputs.all_known(self.engine.name())?;
         if made.len() != self.records.len() {
             let (need, got) = (made.len(), self.records.len());

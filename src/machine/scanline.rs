@@ -1,6 +1,10 @@
 //! Crow's scanline: the sides of a primitive cut row by row, exactly, by integer remainders, and
 //! spans between them. Draws polygons, too. Spec clauses `A-2` and `A-9`.
 
+mod form;
+
+pub(super) use form::KIND;
+
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::{FillRule, fits_narrow, polygon, scan};
@@ -75,9 +79,7 @@ impl Scanline {
     /// Coverage by parity. Three points have a plane, more need not have one, so there is no depth.
     fn polygon(&self, shape: &Polygon, out: &mut dyn Sink) -> Result<(), DrawError> {
         if shape.z.is_some() {
-            return Err(DrawError::Primitive(
-                "depth of polygons: more than three points need no plane",
-            ));
+            return Err(DrawError::PolygonDepth { machine: KIND.name });
         }
         let Target { grid, clip } = &self.target;
         let mut open: Option<[u32; 3]> = None;

@@ -1,6 +1,10 @@
 //! Small tiles, an engine each: tiles are selected conservatively by the edge functions at their
 //! corners, then every engine evaluates its own. Spec clauses `A-2` and `A-7`.
 
+mod form;
+
+pub(super) use form::KIND;
+
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
@@ -31,6 +35,16 @@ pub enum TilesError {
     /// The edge words.
     #[error(transparent)]
     Edge(#[from] EdgeWordError),
+}
+
+impl TilesError {
+    /// The key that is at fault, from the machine's table.
+    const fn field(self) -> &'static [&'static str] {
+        match self {
+            Self::Tile(_) => &["tile"],
+            Self::Edge(_) => &["edge", "width"],
+        }
+    }
 }
 
 impl TilesConfig {

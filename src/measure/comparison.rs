@@ -12,9 +12,9 @@ use super::accuracy::{Drawn, Reference, Stage, Truth, measure};
 use super::cost::{Count, Operations, estimate};
 use super::error::exact_rule;
 use crate::exact::Rule;
-use crate::machine::{Sink, Work};
+use crate::machine::{Kind, Sink, Work, triangle_machines};
 use crate::model::Model;
-use crate::profile::{InvalidProfile, MACHINES, Profile};
+use crate::profile::{InvalidProfile, Profile};
 use crate::scene::Scene;
 use crate::setup::{Snapped, Triangle};
 use serde::Serialize;
@@ -62,10 +62,12 @@ pub struct Row {
     pub depth_worst_ulp: Option<f64>,
     /// Mean signed depth error in ULP.
     pub depth_mean_ulp: Option<f64>,
-    /// Largest depth error as a part of the bound that the machine's clause states; at most 1.
-    pub depth_of_bound: f64,
-    /// Samples misplaced further from an edge than the machine's clause allows; 0.
-    pub beyond_bound: u64,
+    /// Largest depth error as a part of the bound that the machine's clause states; at most 1. Absent where
+    /// no bound is stated.
+    pub depth_of_bound: Option<f64>,
+    /// Samples misplaced further from an edge than the machine's clause allows; 0. Absent where no bound is
+    /// stated and a sample is misplaced.
+    pub beyond_bound: Option<u64>,
     /// Neighbours in depth that change places.
     pub inversions: u64,
     /// Operations.
@@ -193,12 +195,12 @@ impl Compared {
         go_on: &mut dyn FnMut() -> bool,
     ) -> Result<Comparison, InvalidProfile> {
         let mut machines = Vec::new();
-        for (name, known_as) in MACHINES.into_iter().filter(|(name, _)| names.contains(name)) {
+        for kind in triangle_machines().filter(|kind| names.contains(&kind.name)) {
             if !go_on() {
                 break;
             }
-            let (profile, stage) = self.stage(name)?;
-            machines.push(row((name, known_as), stage, &profile, timed)?);
+            let (profile, stage) = self.stage(kind.name)?;
+            machines.push(row(kind, stage, &profile, timed)?);
         }
         let stage = self.stages.first().map(|(_, stage)| stage);
         Ok(Comparison {
@@ -241,12 +243,7 @@ fn without_depth(profile: &Profile) -> Result<Saved, InvalidProfile> {
     })
 }
 
-fn row(
-    (name, known_as): (&'static str, &'static str),
-    stage: &Stage,
-    profile: &Profile,
-    timed: bool,
-) -> Result<Row, InvalidProfile> {
+fn row(kind: &Kind, stage: &Stage, profile: &Profile, timed: bool) -> Result<Row, InvalidProfile> {
     let drawn = Drawn::new(stage, profile)?;
     let deviation = measure(stage, &drawn, profile).tally.report();
     let cost = estimate(profile)?;
@@ -254,8 +251,8 @@ fn row(
     let used = bound::used(stage, profile)?;
     let fragments = drawn.covered;
     Ok(Row {
-        name,
-        known_as,
+        name: kind.name,
+        known_as: kind.known_as,
         exact: profile.covers_exactly(),
         coverage_differs: deviation.misclassified,
         holes: deviation.holes,

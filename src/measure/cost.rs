@@ -6,19 +6,18 @@
 //! its typical corner, before placement. [`synthesise`] asks a synthesis tool instead.
 
 mod adder;
-mod operations;
 mod synthesis;
 
-pub use operations::{Count, Operations};
+pub use crate::machine::{Count, Operations, Unit};
 pub use synthesis::{
     Source, Synthesis, SynthesisError, UnitSynthesis, YOSYS, sources, synthesise, synthesise_unit,
 };
 
-use crate::cover::{EdgeStorage, EdgeWordConfig, SampleGrid};
+use crate::cover::SampleGrid;
 use crate::format::Clamp;
-use crate::machine::{EdgeWalkConfig, ScanlineConfig};
-use crate::profile::{Form, InvalidProfile, Profile};
-use crate::setup::{EdgeCoefficients, Gradient, Triangle, VertexConfig};
+use crate::machine::{Datapath, corners, signed_bits};
+use crate::profile::{InvalidProfile, Profile};
+use crate::setup::{Gradient, Triangle, VertexConfig};
 use crate::value::DepthConfig;
 use adder::Adder;
 use serde::Serialize;
@@ -55,25 +54,6 @@ pub struct Cost {
     pub operations: Operations,
 }
 
-/// Equal DDAs that step together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-pub struct Unit {
-    /// `edge` or `depth`.
-    pub name: &'static str,
-    /// How many of them.
-    pub copies: u32,
-    /// Bits of the accumulator of each.
-    pub width: u32,
-    /// Register bits of all copies. A planar DDA holds accumulator, row start and two slopes; the
-    /// linear DDA of an edge walk holds accumulator and slope.
-    pub register_bits: u32,
-    /// Adder bits of all copies: one adder of the accumulator's width each, which the operands of
-    /// a step right and of a step down share.
-    pub adder_bits: u32,
-    /// Whether its read-out clamps.
-    pub clamp: bool,
-}
-
 /// Area and clock of a profile's units with one kind of adder.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Estimate {
@@ -96,70 +76,28 @@ pub struct Estimate {
 /// ```
 ///
 /// # Errors
-/// [`InvalidProfile`] if its parts do not go together.
+/// [`InvalidProfile`] if its parts do not go together, or its machine states no cost.
 pub fn estimate(profile: &Profile) -> Result<Cost, InvalidProfile> {
     profile.validate()?;
     let grid = profile.grid()?;
-    let units = units(profile);
+    let Datapath { units, setup_bits, operations } = datapath(profile)?;
     let sum = |bits: fn(&Unit) -> u32| units.iter().map(bits).sum();
-    let vertex = &profile.vertex;
-    let edge_bits = match (&profile.form, profile.form.edge(), profile.form.walk()) {
-        (_, Some(edges), _) => edge_setup_bits(*edges, vertex, &grid),
-        (.., Some(walk)) => walk_setup_bits(walk, vertex, &grid),
-        (Form::Homogeneous(machine), ..) => machine.edge_width(vertex) + 1,
-        _ => ScanlineConfig::width(vertex),
-    };
     let depth_bits = profile.depth.map_or(0, |d| depth_setup_bits(&d, &profile.vertex, &grid));
     Ok(Cost {
         register_bits: sum(|unit| unit.register_bits),
         adder_bits: sum(|unit| unit.adder_bits),
-        setup_bits: edge_bits.max(depth_bits),
+        setup_bits: setup_bits.max(depth_bits),
         ripple: area_and_clock(profile, &units, adder::ripple),
         prefix: area_and_clock(profile, &units, adder::prefix),
-        operations: operations::count(profile),
+        operations,
         units,
     })
 }
 
-/// The units of a valid profile. Spec clause `H-1`.
-fn units(profile: &Profile) -> Vec<Unit> {
-    let unit = |name, copies, width, registers, clamp| Unit {
-        name,
-        copies,
-        width,
-        register_bits: copies * width * registers,
-        adder_bits: copies * width,
-        clamp,
-    };
-    let edge = match (&profile.form, profile.form.edge(), profile.form.walk()) {
-        (_, Some(edges), _) => unit("edge", 3, edges.width, 4, false),
-        // Two of three edges are walked at a time; the third waits in set-up.
-        (.., Some(EdgeWalkConfig { guard, integer, fraction, .. })) => {
-            unit("edge", 2, guard + integer + fraction, 2, false)
-        }
-        (Form::Homogeneous(machine), ..) => {
-            unit("edge", 3, machine.edge_width(&profile.vertex), 4, false)
-        }
-        // A quotient and a remainder, each with its step.
-        _ => unit("edge", 2, ScanlineConfig::width(&profile.vertex), 2, false),
-    };
-    let mut units = vec![edge];
-    if let Some(depth) = profile.depth {
-        let width = depth.guard + depth.integer + depth.interpolation;
-        let clamps = depth.clamp != Clamp::Wrap;
-        match profile.form {
-            Form::Gouraud(_) => {
-                units.push(unit("edge-depth", 2, width, 2, false));
-                units.push(unit("depth", 1, width, 2, clamps));
-            }
-            // Its multipliers are combinational: they are in the operations, not here.
-            Form::Barycentric(machine) => {
-                units.push(unit("share", 2, machine.coordinate_width(), 4, clamps));
-            }
-            _ => units.push(unit("depth", 1, width, 4, clamps)),
-        }
-    }
-    units
+/// The datapath of a valid profile. Spec clause `H-1`.
+fn datapath(profile: &Profile) -> Result<Datapath, InvalidProfile> {
+    let stated = profile.form.datapath(&profile.state());
+    stated.ok_or(InvalidProfile::NoCost(profile.form.name()))
 }
 
 /// Spec clause `H-2`.
@@ -179,41 +117,6 @@ fn area_and_clock(profile: &Profile, units: &[Unit], adder: fn(u32) -> Adder) ->
         delay_ps = delay_ps.max(step);
     }
     Estimate { area_um2, delay_ps, clock_mhz: 1e6 / delay_ps }
-}
-
-/// Bits of a two's complement word for values of up to this magnitude, of either sign.
-fn signed_bits(magnitude: i128) -> u32 {
-    1 + i128::BITS - magnitude.leading_zeros()
-}
-
-/// The ends of the vertex field chosen by the bits of `n`: what is linear in each coordinate has
-/// its extremes there.
-fn corners<const C: usize>(vertex: &VertexConfig) -> impl Iterator<Item = [i128; C]> {
-    let (low, high) = vertex.range();
-    (0..1usize << C)
-        .map(move |n| std::array::from_fn(|bit| if n >> bit & 1 == 0 { low } else { high }))
-}
-
-/// The edge constants: E at the window's origin and at the first sample, before any shift.
-fn edge_setup_bits(edges: EdgeWordConfig, vertex: &VertexConfig, grid: &SampleGrid) -> u32 {
-    let origin = corners::<4>(vertex)
-        .map(|[ax, ay, bx, by]| EdgeCoefficients::between([ax, ay], [bx, by]).c.abs())
-        .max()
-        .map_or(1, signed_bits);
-    let full = EdgeWordConfig { storage: EdgeStorage::Full, ..edges };
-    origin.max(full.exact_width(vertex, grid, (1, 1)))
-}
-
-/// The dividend of an edge walk's start: x times the height plus the part of the first row times
-/// the width, over a sub-pixel more, scaled by the fraction.
-fn walk_setup_bits(walk: &EdgeWalkConfig, vertex: &VertexConfig, grid: &SampleGrid) -> u32 {
-    let first_row = [0, (1 << grid.sub_pixel) - 1];
-    let dividend = corners::<4>(vertex)
-        .flat_map(|[ax, ay, bx, by]| {
-            first_row.map(|below| (ax * (by - ay) + below * (bx - ax)).abs())
-        })
-        .max();
-    dividend.map_or(1, signed_bits) + walk.fraction
 }
 
 /// The dividends of the depth plane: those of clause `P-5`, with the slack of its bound taken out

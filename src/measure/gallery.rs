@@ -5,7 +5,7 @@ use super::accuracy::{Reference, Truth, reference_grid};
 use crate::exact::Rule;
 use crate::machine::Sink;
 use crate::model::{Model, View};
-use crate::profile::{Form, InvalidProfile, Profile};
+use crate::profile::{InvalidProfile, Profile};
 use serde::Serialize;
 
 /// Codes of 256 that a colour may be off before it is counted.
@@ -163,13 +163,9 @@ pub fn panel(
     let each = wanted.iter().zip(&drawn);
     let sum = |of: fn(u32, u32) -> u32| each.clone().map(|(w, d)| u64::from(of(*w, *d))).sum();
     let marks = each.clone().zip(&off).map(|((w, d), off)| Mark::of(*w, *d, *off)).collect();
-    let machine = match &profile.form {
-        Form::Registers(machine) => machine.engine.name(),
-        form => form.name(),
-    };
     Ok(Panel {
         profile: profile.name.clone(),
-        machine: machine.to_owned(),
+        machine: profile.form.engine().to_owned(),
         refused,
         hits: drawn.iter().map(|d| u64::from(*d)).sum(),
         holes: sum(|w, d| u32::from(w > 0 && d == 0)),
@@ -187,8 +183,7 @@ pub fn panel(
 /// The top of each of the first three channels, where a record has what, and whether there are colours.
 #[allow(clippy::cast_precision_loss, reason = "codes of a few bits")]
 fn places(profile: &Profile, model: &Model) -> ([f64; 3], Vec<[Option<usize>; 3]>, bool) {
-    let Form::Registers(machine) = &profile.form else { return ([1.0; 3], Vec::new(), false) };
-    let channels = machine.channels.iter();
+    let channels = profile.form.channels().iter();
     let channels =
         channels.flat_map(|group| group.names.iter().map(move |name| (name, group.integer)));
     let first: Vec<(&String, u32)> = channels.take(3).collect();

@@ -1,12 +1,10 @@
 //! The one-change neighbours of a profile: what `verify` tries when a dump disagrees.
 
-mod register;
-
-use super::{Form, Profile};
+use super::Profile;
 use crate::bits::Rounding;
-use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};
+use crate::cover::SampleConfig;
 use crate::format::Clamp;
-use crate::machine::EdgeWalkConfig;
+use crate::machine::{Step, near};
 use crate::setup::Division;
 use crate::value::{DepthConfig, StartBias};
 use std::fmt::Display;
@@ -23,26 +21,11 @@ pub struct Neighbour {
 /// Every valid profile one change away, likeliest defects first.
 pub fn neighbours(profile: &Profile) -> Vec<Neighbour> {
     let mut list = List { profile, found: Vec::new() };
-    if let Form::Registers(machine) = &profile.form {
-        list.registers(machine);
-        list.vertex();
-        return list.found;
-    }
     list.depth();
-    if let Some(edges) = profile.form.edge() {
-        list.edge_words(*edges);
-    }
-    if let Some(walk) = profile.form.walk() {
-        list.edge_walk(*walk);
-    }
-    list.rule_alone();
+    list.machine();
     list.vertex();
     list.found
 }
-
-/// Each rule, its name, and the one it is not.
-const RULES: [(FillRule, &str, &str); 2] =
-    [(FillRule::TopLeft, "top-left", "shadow"), (FillRule::Shadow, "shadow", "top-left")];
 
 struct List<'a> {
     profile: &'a Profile,
@@ -98,64 +81,12 @@ impl List<'_> {
         self.add("depth.division", &"an exact quotient", &was, changed);
     }
 
-    /// The rule of a machine that has no edge words.
-    fn rule_alone(&mut self) {
-        for (rule, name, other) in RULES {
-            let mut changed = self.profile.clone();
-            match &mut changed.form {
-                Form::Scanline(machine) => machine.rule = rule,
-                Form::Homogeneous(machine) => machine.rule = rule,
-                _ => continue,
-            }
-            let field = format!("form.{}.rule", changed.form.name());
-            self.add(&field, &name, &other, changed);
-        }
-    }
-
-    fn edge_words(&mut self, edges: EdgeWordConfig) {
+    /// What the machine lists.
+    fn machine(&mut self) {
         let profile = self.profile;
-        let with = |change: &dyn Fn(&mut EdgeWordConfig)| {
-            let mut changed = profile.clone();
-            if let Some(edges) = changed.form.edge_mut() {
-                change(edges);
-            }
-            changed
-        };
-        let inner = match profile.form {
-            Form::Tiles(_) | Form::Barycentric(_) => ".edge",
-            _ => "",
-        };
-        let field = |name: &str| format!("form.{}{inner}.{name}", profile.form.name());
-        for (rule, name, other) in RULES {
-            self.add(&field("rule"), &name, &other, with(&|e| e.rule = rule));
-        }
-        for (storage, name, other) in
-            [(EdgeStorage::Full, "full", "shifted"), (EdgeStorage::Shifted, "shifted", "full")]
-        {
-            let changed = with(&|e| e.storage = storage);
-            self.add(&field("storage"), &name, &other, changed);
-        }
-        for width in near(edges.width) {
-            let changed = with(&|e| e.width = width);
-            self.add(&field("width"), &width, &edges.width, changed);
-        }
-    }
-
-    fn edge_walk(&mut self, walk: EdgeWalkConfig) {
-        let profile = self.profile;
-        let with = |walk| {
-            let mut changed = profile.clone();
-            changed.form.walk_mut().into_iter().for_each(|old| *old = walk);
-            changed
-        };
-        let field = |name: &str| format!("form.{}.{name}", profile.form.name());
-        for rounding in Rounding::ALL {
-            let changed = with(EdgeWalkConfig { rounding, ..walk });
-            self.add(&field("rounding"), &rounding, &walk.rounding, changed);
-        }
-        for fraction in near(walk.fraction) {
-            let changed = with(EdgeWalkConfig { fraction, ..walk });
-            self.add(&field("fraction"), &fraction, &walk.fraction, changed);
+        for Step { field, got, was, form } in profile.form.neighbours() {
+            let field = format!("form.{}.{field}", profile.form.name());
+            self.add(&field, &got, &was, Profile { form, ..profile.clone() });
         }
     }
 
@@ -177,14 +108,4 @@ impl List<'_> {
             self.add("vertex.snap", &snap, &self.profile.vertex.snap, changed);
         }
     }
-}
-
-/// The same, and none at all.
-fn near_or_none(bits: u32) -> impl Iterator<Item = u32> {
-    near(bits).chain((bits > 1).then_some(0))
-}
-
-/// One less (if any) and one more.
-fn near(bits: u32) -> impl Iterator<Item = u32> {
-    bits.checked_sub(1).into_iter().chain([bits + 1])
 }

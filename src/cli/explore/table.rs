@@ -1,6 +1,7 @@
 //! Budgets as a table and as comma-separated values.
 
 use super::{Failure, Field, Metric, Outcome, Output, Record, Sweep};
+use guardbit::explore::field::Takes;
 use guardbit::explore::metric;
 use guardbit::measure::cost::Synthesis;
 
@@ -137,7 +138,7 @@ pub(crate) fn figure(value: f64) -> String {
 /// Every metric of every budget.
 pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure> {
     let fields: Vec<&str> = {
-        let mut names: Vec<&str> = Field::ALL.map(Field::name).to_vec();
+        let mut names: Vec<&str> = Field::all().into_iter().map(Field::name).collect();
         names.extend(["edge-bits", "depth-bits"]);
         names.retain(|name| records.iter().any(|record| field(record, name) != "-"));
         names
@@ -168,12 +169,13 @@ pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure
 pub(crate) fn help() -> Result<Outcome, Failure> {
     let mut output = Output::new();
     output.line("fields to vary (--vary FIELD=VALUES, as 6..13, or a list with commas):")?;
-    for field in Field::ALL {
-        let words = field.words().join(", ");
-        let takes = match (field.is_bits(), words.is_empty()) {
-            (true, true) => "bits".to_owned(),
-            (true, false) => format!("bits, or {words}"),
-            _ => words,
+    for field in Field::all() {
+        let takes = match field.takes() {
+            Takes::Bits { least, most, word } => {
+                let word = word.map(|word| format!(", or {word}")).unwrap_or_default();
+                format!("bits, {least} to {most}{word}")
+            }
+            Takes::Words(words) => words().join(", "),
         };
         output.line(format!("  {:<16} {takes}", field.name()))?;
     }

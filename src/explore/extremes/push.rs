@@ -98,7 +98,7 @@ fn corners(profile: &Profile, grid: &Grid) -> Push {
         pushed: format!(
             "edges between the corners of the vertex field, {low} to {high} sub-pixels"
         ),
-        field: Field::EdgeWidth,
+        field: Field::EDGE_WIDTH,
         values: down(own),
         tolerance: at_most("misclassified", 0.0),
         scenes: grid.keep(vec![
@@ -121,7 +121,7 @@ fn walked_edges(fraction: u32, grid: &Grid) -> Push {
     Push {
         name: "walk to its longest",
         pushed: "edges over the whole height, of slopes that no fraction holds".to_owned(),
-        field: Field::WalkFraction,
+        field: Field::WALK_FRACTION,
         values: down(fraction),
         tolerance: at_most("misclassified", 0.0),
         scenes: grid.keep(vec![
@@ -140,7 +140,7 @@ fn ties(fraction: u32, grid: &Grid) -> Push {
     Push {
         name: "samples on an edge",
         pushed: "an edge by 1 pixel over 6 rows, through the sample of the fourth".to_owned(),
-        field: Field::WalkFraction,
+        field: Field::WALK_FRACTION,
         values: down(fraction),
         tolerance: at_most("misclassified", 0.0),
         scenes: grid.keep(vec![
@@ -158,7 +158,7 @@ fn walked_area(profile: &Profile, grid: &Grid) -> Option<Push> {
     Some(Push {
         name: "area to 1, coverage",
         pushed: "twice the area 1 in sub-pixels squared, on the last sample".to_owned(),
-        field: Field::EdgeWidth,
+        field: Field::EDGE_WIDTH,
         values: down(profile.exact_edge_width().unwrap_or(2)),
         tolerance: at_most("misclassified", 0.0),
         scenes: grid.keep(vec![([[x, y], [x + 1, y], [x, y + 1]], None)]),
@@ -178,7 +178,7 @@ fn longest_walk(depth: &DepthConfig, grid: &Grid) -> Push {
             (grid.last[0] - grid.first[0]) / grid.pixel
                 + (grid.last[1] - grid.first[1]) / grid.pixel
         ),
-        field: Field::Interpolation,
+        field: Field::INTERPOLATION,
         values: down(depth.interpolation),
         tolerance: at_most("depth-worst", 0.5),
         // Slopes of so many parts of the range over the width leave residues of every kind.
@@ -200,7 +200,7 @@ fn steepest(depth: &DepthConfig, grid: &Grid) -> Push {
              mode after the other",
             top * p
         ),
-        field: Field::Clamp,
+        field: Field::CLAMP,
         values: clamps.map(|clamp| Value::Name(clamp.name())).to_vec(),
         tolerance: at_most("depth-worst", if depth.interpolation == 0 { 1.0 } else { 0.5 }),
         scenes: grid.keep(vec![
@@ -217,7 +217,7 @@ fn smallest_area(depth: &DepthConfig, grid: &Grid) -> Push {
     Push {
         name: "area to 1, depth",
         pushed: "twice the area 1 and 3 in sub-pixels squared, on the last sample".to_owned(),
-        field: Field::Interpolation,
+        field: Field::INTERPOLATION,
         values: down(depth.interpolation),
         tolerance: at_most("depth-worst", 0.5),
         scenes: grid.keep(vec![
@@ -247,7 +247,7 @@ fn both_ends(depth: &DepthConfig, grid: &Grid) -> Push {
     Push {
         name: "z to both ends",
         pushed: format!("vertices at samples, with depths of 0, 1, {} and {top}", top - 1),
-        field: Field::Guard,
+        field: Field::GUARD,
         values: down(depth.guard),
         tolerance: at_most("wraps", 0.0),
         scenes: grid.keep(triangles),
@@ -263,7 +263,7 @@ fn division(grid: &Grid) -> Push {
     Push {
         name: "division to its fewest bits",
         pushed: "one plane over the window, whole range and parts of it".to_owned(),
-        field: Field::Reciprocal,
+        field: Field::RECIPROCAL,
         values: words.chain((2..=40).rev().map(Value::Bits)).collect(),
         tolerance: at_most("depth-worst", 1.0),
         scenes: grid.keep(vec![
@@ -296,7 +296,7 @@ fn toward_zero(depth: &DepthConfig, grid: &Grid) -> Push {
         pushed: format!(
             "far plane over near plane {far}, surfaces at far and {apart} of it nearer"
         ),
-        field: Field::Integer,
+        field: Field::INTEGER,
         values: (1..=depth.integer).rev().map(Value::Bits).collect(),
         tolerance: at_most("snap-ties", 0.0),
         scenes: vec![vec![flat(far * (1.0 - apart)), flat(far)]],

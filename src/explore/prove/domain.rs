@@ -2,7 +2,8 @@
 
 use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, Rect, SampleConfig, SampleGrid};
 use crate::explore::corner::Area;
-use crate::profile::{Form, InvalidProfile, Profile, SCHEMA, WindowConfig};
+use crate::machine::EdgeFunctionConfig;
+use crate::profile::{InvalidProfile, Profile, SCHEMA, WindowConfig};
 use crate::setup::{Endless, Source, VertexConfig, VertexError};
 
 /// A profile, and the window and vertex box that its words must serve.
@@ -152,11 +153,12 @@ impl Question {
             vertex,
             sample: None,
             multisample: None,
-            form: Form::EdgeFunction(EdgeWordConfig {
+            form: EdgeFunctionConfig(EdgeWordConfig {
                 rule: FillRule::TopLeft,
                 storage: EdgeStorage::Shifted,
                 width,
-            }),
+            })
+            .into(),
             traversal: None,
             line: None,
             point: None,

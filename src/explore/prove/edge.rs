@@ -11,7 +11,8 @@ use super::{Proof, Witness};
 use crate::bits::{Rounding, RunTime, Word};
 use crate::cover::{EdgeStorage, EdgeWordConfig};
 use crate::explore::corner::{Area, at_corners, bias, edges_at_corners, widths};
-use crate::profile::{Form, Profile};
+use crate::machine::EdgeFunctionConfig;
+use crate::profile::Profile;
 use crate::setup::Triangle;
 
 /// Stored and full width, then the coefficients and the constant.
@@ -26,8 +27,8 @@ pub(super) fn proofs(question: &Question) -> Vec<Proof> {
 
 /// The question's profile with an edge function of this word.
 fn narrowed(question: &Question, storage: EdgeStorage, width: u32) -> Profile {
-    let form = Form::EdgeFunction(EdgeWordConfig { rule: question.rule(), storage, width });
-    Profile { form, ..question.profile.clone() }
+    let form = EdgeFunctionConfig(EdgeWordConfig { rule: question.rule(), storage, width });
+    Profile { form: form.into(), ..question.profile.clone() }
 }
 
 /// A value as a word of `width` bits reads it.

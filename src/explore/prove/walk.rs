@@ -9,7 +9,7 @@ use super::{Proof, Witness, walk_coverage};
 use crate::case::Words;
 use crate::exact::{Rational, dyadic, edge_x, integer};
 use crate::machine::EdgeWalkConfig;
-use crate::profile::{Form, Profile};
+use crate::profile::Profile;
 use crate::setup::Triangle;
 use num_traits::Signed;
 
@@ -101,8 +101,8 @@ fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option
 
 /// The question's profile with another number of fraction bits.
 pub(super) fn with_fraction(question: &Question, walk: EdgeWalkConfig, fraction: u32) -> Profile {
-    let form = Form::EdgeWalk(EdgeWalkConfig { fraction, ..walk });
-    Profile { form, ..question.profile.clone() }
+    let form = EdgeWalkConfig { fraction, ..walk };
+    Profile { form: form.into(), ..question.profile.clone() }
 }
 
 /// One edge of a triangle as the model set it up.

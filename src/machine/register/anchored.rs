@@ -1,5 +1,7 @@
 //! Integer vertices, exact spans, and planes anchored at one vertex. Spec clauses `RG-8` to `RG-10`.
 
+mod form;
+
 use super::host::attributes;
 use super::input::{Inputs, RegisterError};
 use super::{Built, Engine};

@@ -1,13 +1,17 @@
 //! Wrapping edge functions over quads of 2 x 2 pixels: coefficients as they are given, or made of
 //! vertices. Spec clauses `RG-5` to `RG-7`.
 
+mod engine;
+mod form;
+mod host;
+
 use super::Built;
 use super::input::{Inputs, RegisterError};
-use super::quad_engine::Quads;
 use crate::format::Gather;
 use crate::machine::Target;
 use crate::setup::VertexConfig;
 use crate::value::Channel;
+use engine::Quads;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 

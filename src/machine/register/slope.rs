@@ -1,13 +1,17 @@
 //! Edges walked by their slopes, one row at a time, and channels along the rows. Spec clauses `RG-11` to
 //! `RG-14`.
 
+mod edge;
+mod form;
+mod host;
+
 use super::input::{ChannelInput, Inputs, RegisterError};
-use super::slope_edge::{EdgeInput, Walk};
 use super::{Built, Engine};
 use crate::format::Gather;
 use crate::machine::Target;
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, Extension, w_float};
+use edge::{EdgeInput, Walk};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -96,7 +100,7 @@ pub(super) const NAME: &str = "slopes";
 #[derive(Clone, Debug)]
 pub(super) struct Slopes {
     pub(super) config: SlopeConfig,
-    pub(super) edges: EdgeInput,
+    edges: EdgeInput,
     pub(super) clip: [Gather; 4],
     pub(super) clips: Option<Gather>,
     flip: Option<(Gather, Gather)>,

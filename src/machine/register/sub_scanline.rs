@@ -1,8 +1,10 @@
 //! Edges walked by their slopes, four sub-scanlines a row. Spec clauses `RG-15` to `RG-19`.
 
+mod form;
+mod span;
+
 use super::host::{attributes, gradient};
 use super::input::{Inputs, RegisterError};
-use super::sub_span::{Line, Span};
 use super::{Built, Engine};
 use crate::bits::Rounding;
 use crate::format::Gather;
@@ -11,6 +13,7 @@ use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, slope_code};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use span::{Line, Span};
 
 /// What a product of a slope and a distance keeps of its bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]

@@ -7,7 +7,7 @@ use super::tally::Tally;
 use crate::cover::EdgeWordConfig;
 use crate::machine::{Sink, Work};
 use crate::model::{Model, Span};
-use crate::profile::{Form, InvalidProfile, Profile};
+use crate::profile::{InvalidProfile, Profile};
 
 /// The coverage of a form over a stage.
 #[derive(Clone, Debug)]
@@ -66,16 +66,14 @@ impl Drawn {
         let (mut both, mut ends) = (Vec::new(), Vec::with_capacity(stage.faces.len()));
         let (mut tally, mut hits) = (Tally::default(), Hits::default());
         let mut covered = 0;
+        let rows = profile.form.visits_the_box() && profile.traversal.is_none();
+        let boxed = profile.form.edge().filter(|_| rows);
         for (n, face) in stage.faces.iter().enumerate() {
             let exact = &stage.runs[face.runs.clone()];
             // A word that holds every value the walk meets covers what the exact edges do: `B-2`.
             // What other machines look at is known by drawing alone.
-            let certain = match (&profile.form, profile.traversal) {
-                (Form::EdgeFunction(edges), None) => {
-                    needed_width(stage, face, *edges) <= edges.width
-                }
-                _ => false,
-            };
+            let certain =
+                boxed.is_some_and(|edges| needed_width(stage, face, *edges) <= edges.width);
             if certain {
                 let [x0, y0, x1, y1] = bounding_box(stage, face);
                 let (rows, columns) = (u64::from(y1 - y0), u64::from(x1 - x0));

@@ -8,7 +8,7 @@ use crate::format::Clamp;
 use crate::machine::{Sink, Work};
 use crate::measure::accuracy::Face;
 use crate::model::{Model, Span};
-use crate::profile::{Form, InvalidProfile, Profile};
+use crate::profile::{InvalidProfile, Profile};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -198,8 +198,8 @@ fn float(value: u32) -> f32 {
 
 /// Depth as a binary32 accumulator reads it, triangle by triangle in the order of y then x.
 fn float_depths(profile: &Profile, faces: &[Face], traversal: Option<TraversalConfig>) -> Vec<u64> {
-    let (Form::EdgeFunction(edges), Ok(grid), Ok(clip), Some(traversal)) =
-        (&profile.form, profile.grid(), profile.window(), traversal)
+    let (Some(edges), Ok(grid), Ok(clip), Some(traversal)) =
+        (profile.form.edge(), profile.grid(), profile.window(), traversal)
     else {
         return Vec::new();
     };

@@ -2,10 +2,11 @@
 
 use super::{quickest, real};
 use crate::case::Words;
+use crate::machine::triangle_machines;
 use crate::machine::{Sink, Work};
 use crate::measure::cost::{Count, Operations, estimate};
 use crate::model::Model;
-use crate::profile::{InvalidProfile, MACHINES, Profile};
+use crate::profile::{InvalidProfile, Profile};
 use crate::setup::{Snapped, Triangle, VertexField};
 use serde::Serialize;
 
@@ -105,7 +106,8 @@ pub fn sizes(
     let mut rows = Vec::new();
     for pixels in SIZES.into_iter().filter(|pixels| *pixels <= area / 4) {
         let list = triangles(pixels, profile)?;
-        for (machine, _) in MACHINES.into_iter().filter(|(name, _)| names.contains(name)) {
+        for machine in triangle_machines().map(|kind| kind.name).filter(|name| names.contains(name))
+        {
             if !go_on() {
                 return Ok(rows);
             }

@@ -16,7 +16,8 @@ fn depth_unit(guard: u32, integer: u32, interpolation: u32) -> (Profile, Vec<Uni
     let mut profile = profile("sgi-4k");
     let depth = profile.depth.as_mut().unwrap();
     (depth.guard, depth.integer, depth.interpolation) = (guard, integer, interpolation);
-    let units = units(&profile).into_iter().filter(|unit| unit.name == "depth").collect();
+    let units =
+        datapath(&profile).unwrap().units.into_iter().filter(|unit| unit.name == "depth").collect();
     (profile, units)
 }
 
@@ -88,9 +89,8 @@ fn set_up_words_by_hand() {
     // Vertices 0 to 8 on both axes, first sample at (1, 1), codes 0 to 7.
     let tiny = profile("tiny");
     let grid = tiny.grid().unwrap();
-    let Form::EdgeFunction(edges) = tiny.form else { panic!() };
     // c = dy ax - dx ay: at most 64, from (8, 0) to (0, 8) for one; 7 bits and a sign.
-    assert_eq!(edge_setup_bits(edges, &tiny.vertex, &grid), 8);
+    assert_eq!(datapath(&tiny).unwrap().setup_bits, 8);
     let mut depth = tiny.depth.unwrap();
     // The start's dividend is z0 E12 + z1 E20 + z2 E01 at the sample; the three E sum to A2. On a
     // triangle of area 64 with the sample inside it is at most 7 x 64 = 448; with the sample

@@ -5,7 +5,7 @@ use crate::bits::{EventLog, Events, SpanEvents};
 use crate::cover::EdgeStorage;
 use crate::machine::Sink;
 use crate::model::Model;
-use crate::profile::{Form, Profile, builtin};
+use crate::profile::{Profile, builtin};
 use crate::setup::{Snapped, Triangle};
 use serde::Serialize;
 use std::hint::black_box;
@@ -69,7 +69,7 @@ fn machines() -> [(&'static str, Model); 3] {
         |profile: &Profile| Model::new(profile).unwrap_or_else(|error| unreachable!("{error}"));
     let shifted = load("sgi-4k");
     let mut full = shifted.clone();
-    if let (Form::EdgeFunction(edges), Ok(grid)) = (&mut full.form, shifted.grid()) {
+    if let (Some(edges), Ok(grid)) = (full.form.edge_mut(), shifted.grid()) {
         edges.storage = EdgeStorage::Full;
         let size = (full.window.width, full.window.height);
         edges.width = edges.exact_width(&full.vertex, &grid, size);

@@ -3,9 +3,10 @@
 use super::timing::{Pair, versus};
 use crate::case::Words;
 use crate::case::triangle::Stimulus;
+use crate::machine::Intake;
 use crate::machine::Sink;
 use crate::model::{Drawing, Model};
-use crate::profile::{BUILTIN, Form, builtin};
+use crate::profile::{BUILTIN, builtin};
 use crate::setup::{Snapped, Triangle};
 use serde::Serialize;
 use std::hint::black_box;
@@ -73,10 +74,10 @@ pub(super) fn measure(repeats: usize) -> Vec<RegisterRow> {
     let mut rows = Vec::new();
     for (name, _) in BUILTIN {
         let Some(Ok(profile)) = builtin(name) else { continue };
-        let (true, Ok(model)) = (matches!(profile.form, Form::Registers(_)), Model::new(&profile))
-        else {
+        if profile.form.kind().intake != Intake::Registers {
             continue;
-        };
+        }
+        let Ok(model) = Model::new(&profile) else { continue };
         let Some(Ok(base)) = profile.with_machine("edge-function").map(|base| Model::new(&base))
         else {
             continue;

@@ -9,8 +9,9 @@ use crate::case::Class;
 use crate::case::triangle::RANDOM;
 use crate::cover::{LineConfig, LineRule, PointConfig, PointRule, Start, Tie};
 use crate::format::Column;
+use crate::machine::Polygons;
 use crate::model::{Drawing, Model};
-use crate::profile::{Form, Profile, neighbours};
+use crate::profile::{Profile, neighbours};
 use crate::setup::{ClipTriangle, Polygon};
 use crate::vector::table::Table;
 use std::sync::Arc;
@@ -45,26 +46,24 @@ impl ShapeKind {
     }
 
     /// Whether a profile has it.
-    const fn is_of(self, profile: &Profile) -> bool {
+    fn is_of(self, profile: &Profile) -> bool {
         match self {
             Self::Line => profile.line.is_some(),
             Self::Point => profile.point.is_some(),
             Self::Quad => {
-                profile.multisample.is_none()
-                    && matches!(profile.form, Form::Gouraud(_) | Form::Scanline(_))
+                let polygons = profile.form.kind().polygons;
+                profile.multisample.is_none() && polygons != Polygons::Refused
             }
-            Self::Clip => {
-                profile.multisample.is_none() && matches!(profile.form, Form::Homogeneous(_))
-            }
+            Self::Clip => profile.multisample.is_none() && profile.form.w_bits().is_some(),
         }
     }
 
     /// Whether its vertices have depth.
-    const fn has_depth(self, profile: &Profile) -> bool {
+    fn has_depth(self, profile: &Profile) -> bool {
         profile.depth.is_some()
             && match self {
                 Self::Line | Self::Point => false,
-                Self::Quad => matches!(profile.form, Form::Gouraud(_)),
+                Self::Quad => profile.form.kind().polygons == Polygons::Depth,
                 Self::Clip => true,
             }
     }

@@ -2,8 +2,9 @@
 //! nothing else.
 
 use crate::format::{Clamp, ReadOut};
-use crate::measure::cost::{Unit, units};
-use crate::profile::{Form, InvalidProfile, Profile};
+use crate::machine::Dda;
+use crate::measure::cost::{Unit, datapath};
+use crate::profile::{InvalidProfile, Profile};
 
 /// One distinct unit of a profile.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -24,25 +25,26 @@ pub struct Source {
 /// row, 3 holds. A step down starts from the row start, which it moves.
 ///
 /// # Errors
-/// [`InvalidProfile`] if its parts do not go together.
+/// [`InvalidProfile`] if its parts do not go together, or its machine states no cost.
 pub fn sources(profile: &Profile) -> Result<Vec<Source>, InvalidProfile> {
     profile.validate()?;
     let depth = profile.depth.map(|depth| depth.validate(&profile.vertex)).transpose()?;
     let source = |unit: &Unit| {
-        let verilog = match (unit.name, &profile.form, depth) {
-            ("depth", _, Some(read)) => {
+        let verilog = match (unit.dda, depth) {
+            (Dda::Depth, Some(read)) => {
                 let port = format!("[{}:0] value", read.integer() - 1);
                 planar(unit.width, &port, &read_out(read), Some(read))
             }
-            ("edge", Form::EdgeWalk(_) | Form::Gouraud(_) | Form::Scanline(_), _)
-            | ("edge-depth", ..) => linear(unit.width),
+            (Dda::Linear, _) => linear(unit.width),
             // An edge's read-out: inside is a clear sign bit.
-            _ => planar(unit.width, "value", "    assign value = ~acc[N-1];\n", None),
+            (Dda::Planar | Dda::Depth, _) => {
+                planar(unit.width, "value", "    assign value = ~acc[N-1];\n", None)
+            }
         };
         let register_bits = unit.register_bits / unit.copies;
         Source { name: unit.name, copies: unit.copies, register_bits, verilog }
     };
-    Ok(units(profile).iter().map(source).collect())
+    Ok(datapath(profile)?.units.iter().map(source).collect())
 }
 
 /// The linear DDA of a walked edge.

@@ -4,7 +4,7 @@ use super::ShapeKind;
 use crate::case::{Class, Words};
 use crate::format::Column;
 use crate::model::Model;
-use crate::profile::{Form, Profile};
+use crate::profile::Profile;
 
 /// Extent of a random shape, in pixels.
 const REACH: i64 = 24;
@@ -23,10 +23,7 @@ pub(super) fn columns(kind: ShapeKind, model: &Model, has_depth: bool) -> Vec<Co
         ShapeKind::Clip => 3,
         ShapeKind::Quad => 4,
     };
-    let w = match profile.form {
-        Form::Homogeneous(machine) if kind == ShapeKind::Clip => machine.w + 1,
-        _ => 0,
-    };
+    let w = profile.form.w_bits().filter(|_| kind == ShapeKind::Clip).map_or(0, |w| w + 1);
     let mut columns = Vec::new();
     for n in 0..count {
         let over = if w > 0 { ", times W" } else { "" };
@@ -235,10 +232,7 @@ pub(super) fn random(
     let window = [profile.window.width, profile.window.height];
     let from = window.map(|side| words.between(-pixel, (i64::from(side) + 1) * pixel));
     let top = i64::try_from(profile.depth_max()).unwrap_or(i64::MAX);
-    let most = match profile.form {
-        Form::Homogeneous(machine) => (1i64 << machine.w.min(8)) - 1,
-        _ => 1,
-    };
+    let most = profile.form.w_bits().map_or(1, |w| (1i64 << w.min(8)) - 1);
     let mut test = Vec::new();
     for n in 0..vertices {
         let reach = if n == 0 { 0 } else { REACH * pixel };

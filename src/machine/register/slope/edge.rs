@@ -1,8 +1,8 @@
 //! The edges of the engine `slopes`: divided from vertices, or given. Spec clauses `RG-11` and `RG-12`.
 
-use super::input::{Inputs, RegisterError};
-use super::slope::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
+use super::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
 use crate::format::Gather;
+use crate::machine::register::input::{Inputs, RegisterError};
 use crate::setup::VertexConfig;
 
 /// Where the registers of the edges lie.

@@ -1,12 +1,12 @@
 //! What a host writes for the engine `slopes`: vertices or the slopes of sides, and channels whose slopes are
 //! nearest to the exact ones. Spec clause `RG-4`.
 
-use super::host::{attributes, gradient};
-use super::slope::{ClipEnds, Plane, RowOrder, Slopes};
-use super::slope_edge::Source;
+use super::edge::Source;
+use super::{ClipEnds, Plane, RowOrder, Slopes};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
 use crate::format::Gather;
+use crate::machine::register::host::{attributes, gradient};
 use crate::setup::Triangle;
 
 /// A place in sub-pixels: x as numerator and positive denominator, and y.

@@ -1,8 +1,8 @@
 //! What a host writes for the engine `quads`: vertices, or coefficients normalised by the larger one. Spec
 //! clause `RG-4`.
 
-use super::quad::Source;
-use super::quad_engine::Quads;
+use super::Source;
+use super::engine::Quads;
 use crate::bits::Rounding;
 use crate::setup::Triangle;
 

@@ -1,10 +1,10 @@
 //! The engine `quads` at work: descent, quads, pixels. Spec clauses `RG-5` to `RG-7`.
 
-use super::Engine;
-use super::quad::{Descent, Emit, QuadConfig, QuadRule, Source};
+use super::{Descent, Emit, QuadConfig, QuadRule, Source};
 use crate::cover::SampleGrid;
 use crate::format::Gather;
 use crate::machine::Target;
+use crate::machine::register::Engine;
 use crate::setup::Triangle;
 
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Rows of the engine `sub-scanlines`: which part of four sub-scanlines is drawn, coverage on a
 //! checkerboard of 8 samples a pixel, and values at the first covered one. Spec clauses `RG-17` to `RG-19`.
 
-use super::sub_scanline::{Attributes, SubScanlines, product};
+use super::{Attributes, SubScanlines, product};
 use crate::value::{Channel, leading_ones};
 
 /// Four sub-scanlines of a row.

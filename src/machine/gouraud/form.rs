@@ -1,0 +1,151 @@
+//! The machine `gouraud` as a profile configures it. Spec clauses `A-2` and `A-3`.
+
+use super::Gouraud;
+use crate::cover::FillRule;
+use crate::exact::{PlaneNumerator, Rational, integer, ratio};
+use crate::format::{Refused, Value};
+use crate::machine::{
+    Count, Datapath, EdgeWalkConfig, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
+};
+use num_traits::Signed;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::ops::{Deref, DerefMut};
+
+/// What is known of the machine.
+pub(crate) const KIND: Kind = Kind {
+    name: "gouraud",
+    known_as: "GTX",
+    clause: "A-3",
+    intake: Intake::Triangles,
+    polygons: Polygons::Depth,
+    decisions: EdgeWalkConfig::DECISIONS,
+    adopt: |from, state| Some(GouraudConfig(EdgeWalkConfig::adopted(from, state)).into()),
+};
+
+/// The machine of `[form.gouraud]`: the x word of its edges.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(transparent)]
+pub struct GouraudConfig(pub EdgeWalkConfig);
+
+impl From<EdgeWalkConfig> for GouraudConfig {
+    fn from(config: EdgeWalkConfig) -> Self {
+        Self(config)
+    }
+}
+
+impl Deref for GouraudConfig {
+    type Target = EdgeWalkConfig;
+
+    fn deref(&self) -> &EdgeWalkConfig {
+        &self.0
+    }
+}
+
+impl DerefMut for GouraudConfig {
+    fn deref_mut(&mut self) -> &mut EdgeWalkConfig {
+        &mut self.0
+    }
+}
+
+/// Depth down the edges and along the span: a start and a slope an edge, a slope a span.
+fn operations(state: &RasterState) -> Operations {
+    let mut operations = EdgeWalkConfig::operations();
+    if let Some(depth) = &state.depth {
+        let edge = Count::new(2, 2, 2, 0);
+        operations.triangle = operations.triangle + edge.times(3);
+        operations.row = operations.row + Count::STEP.times(2);
+        // The span's slope, and the part of a pixel to its first sample.
+        operations.run = Count::new(2, 0, 1, 0) + Count::new(2, 1, 0, 0);
+        operations.fragment = Count::STEP + Count::read_out(depth.clamp);
+    }
+    operations
+}
+
+impl Rasterizer for GouraudConfig {
+    fn kind(&self) -> &'static Kind {
+        &KIND
+    }
+
+    fn check(&self, state: &RasterState) -> Result<(), FormError> {
+        self.check_word(&KIND, state)?;
+        self.validate_values(&state.vertex, state.depth_read_out())
+            .map_err(|error| FormError::own(&KIND, &[], error))
+    }
+
+    fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {
+        let Site { depth, target, .. } = site;
+        let word = self.check_word(&KIND, state)?;
+        Ok(Box::new(Gouraud::new(self.0, word, depth, &state.vertex, target)))
+    }
+
+    /// A walked edge's left end owns its pixel.
+    fn rule(&self) -> FillRule {
+        FillRule::TopLeft
+    }
+
+    fn covers_exactly(&self, _: &RasterState) -> bool {
+        false
+    }
+
+    fn walks_a_plane(&self) -> bool {
+        false
+    }
+
+    fn words(&self, state: &RasterState) -> Vec<Word> {
+        vec![self.word(state)]
+    }
+
+    fn datapath(&self, state: &RasterState) -> Option<Datapath> {
+        let mut units = vec![self.unit()];
+        if let Some(depth) = &state.depth {
+            let along = Unit::span_depth(depth);
+            units.extend([Unit::linear("edge-depth", 2, along.width), along]);
+        }
+        let (setup_bits, operations) = (self.setup_bits(state), operations(state));
+        Some(Datapath { units, setup_bits, operations })
+    }
+
+    /// H u (2^-F + |G| 2^-f) + V u 2^-F: clause `A-3`.
+    fn depth_bound(
+        &self,
+        state: &RasterState,
+        face: &Face<'_>,
+        exact: &PlaneNumerator,
+    ) -> Option<Rational> {
+        let depth = state.depth?;
+        let [x0, y0, x1, y1] = face.bounds.map(i128::from);
+        let (rows, columns) = (integer(y1 - y0 + 2), integer(x1 - x0 + 2));
+        let ulp = rounding_error(depth.rounding, depth.interpolation);
+        let slope = ratio(exact.slope[0], exact.whole)?.abs() * integer(1 << face.grid.sub_pixel);
+        let x_off = rounding_error(self.rounding, self.fraction);
+        Some(rows * (&ulp + slope * x_off) + columns * ulp)
+    }
+
+    fn may_misplace(&self, face: &Face<'_>, at: [i128; 2]) -> Option<bool> {
+        Some(self.near_an_edge(face, at))
+    }
+
+    fn neighbours(&self) -> Vec<Step> {
+        let mut steps = Steps::of(self, Into::into);
+        self.steps(&mut steps, |config| &mut config.0);
+        steps.found()
+    }
+
+    fn decision(&self, name: &str) -> Option<Value> {
+        self.walk_decision(name)
+    }
+
+    fn decide(&mut self, name: &str, value: &Value, _: &RasterState) -> Result<(), Refused> {
+        self.walk_decide(name, value)
+    }
+
+    fn walk(&self) -> Option<&EdgeWalkConfig> {
+        Some(self)
+    }
+
+    fn walk_mut(&mut self) -> Option<&mut EdgeWalkConfig> {
+        Some(self)
+    }
+}

@@ -1,0 +1,52 @@
+//! The engine `anchored` as a profile configures it.
+
+use super::{Anchor, AnchoredConfig, HalfOrder, NAME};
+use crate::bits::Rounding;
+use crate::machine::register::engine::{Built, EngineForm};
+use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::{EngineConfig, Step, Steps, Target, Word};
+use crate::setup::VertexConfig;
+use crate::value::Channel;
+
+impl EngineForm for AnchoredConfig {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn build(
+        &self,
+        inputs: &Inputs<'_>,
+        channels: Vec<Channel>,
+        vertex: &VertexConfig,
+        target: Target,
+    ) -> Result<Built, RegisterError> {
+        self.engine(inputs, channels, vertex, target)
+    }
+
+    /// Its sides are exact.
+    fn edge_word(&self) -> Option<Word> {
+        None
+    }
+
+    fn neighbours(&self) -> Vec<Step<EngineConfig>> {
+        let mut steps = Steps::of(self, EngineConfig::from);
+        for (anchor, name, other) in [
+            (Anchor::LeftmostGiven, "leftmost-given", "leftmost-sorted"),
+            (Anchor::LeftmostSorted, "leftmost-sorted", "leftmost-given"),
+        ] {
+            steps.add("anchor", &name, &other, |config| config.anchor = anchor);
+        }
+        for (halves, name, other) in [
+            (HalfOrder::FromAnchor, "from-anchor", "upper-first"),
+            (HalfOrder::UpperFirst, "upper-first", "from-anchor"),
+        ] {
+            steps.add("halves", &name, &other, |config| config.halves = halves);
+        }
+        for rounding in Rounding::ALL {
+            steps.add("rounding", &rounding, &self.rounding, |config| config.rounding = rounding);
+        }
+        let was = if self.largest.is_some() { "a limit" } else { "none" };
+        steps.add("largest", &"none", &was, |config| config.largest = None);
+        steps.found()
+    }
+}

@@ -1,0 +1,83 @@
+//! The list of engines: one line each. What an engine does is asked through [`EngineForm`].
+
+use super::input::{Inputs, RegisterError};
+use crate::machine::{Step, Target, Word};
+use crate::setup::{Triangle, VertexConfig};
+use crate::value::Channel;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What turns words into records.
+pub(super) trait Engine: Send + Sync + std::fmt::Debug {
+    /// Draws what the words say; `emit` takes the kind of a record and its values.
+    fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
+
+    /// The words that a host would write for a triangle, one list or more, each of `count` words.
+    fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>>;
+}
+
+/// An engine, and the names of the values of each kind of record that it writes.
+pub(super) type Built = (Box<dyn Engine>, Vec<Vec<String>>);
+
+/// An engine as a profile configures it.
+pub(super) trait EngineForm {
+    /// The name profiles use.
+    fn name(&self) -> &'static str;
+
+    /// The engine, if it goes with registers, channels and vertices.
+    fn build(
+        &self,
+        inputs: &Inputs<'_>,
+        channels: Vec<Channel>,
+        vertex: &VertexConfig,
+        target: Target,
+    ) -> Result<Built, RegisterError>;
+
+    /// The word that decides coverage; `None` where sides are exact.
+    fn edge_word(&self) -> Option<Word>;
+
+    /// Every configuration one decision away.
+    fn neighbours(&self) -> Vec<Step<EngineConfig>>;
+}
+
+macro_rules! engines {
+    ($($(#[$doc:meta])* $variant:ident($config:ty);)*) => {
+        /// How registers become fragments.
+        #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+        #[serde(rename_all = "kebab-case", deny_unknown_fields)]
+        pub enum EngineConfig {
+            $($(#[$doc])* $variant($config),)*
+        }
+
+        impl EngineConfig {
+            /// The engine's configuration.
+            pub(super) fn form(&self) -> &dyn EngineForm {
+                match self {
+                    $(Self::$variant(config) => config,)*
+                }
+            }
+
+            /// The name profiles use.
+            pub fn name(&self) -> &'static str {
+                self.form().name()
+            }
+        }
+
+        $(impl From<$config> for EngineConfig {
+            fn from(config: $config) -> Self {
+                Self::$variant(config)
+            }
+        })*
+    };
+}
+
+engines! {
+    /// Wrapping edge functions over quads of 2 x 2 pixels.
+    Quads(super::QuadConfig);
+    /// Vertices, exact spans, and planes anchored at one vertex.
+    Anchored(super::AnchoredConfig);
+    /// Edges walked by their slopes, one row at a time.
+    Slopes(super::SlopeConfig);
+    /// Edges walked by their slopes, four sub-scanlines a row.
+    SubScanlines(super::SubScanlineConfig);
+}
