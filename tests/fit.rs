@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 use guardbit::case::Words;
+use guardbit::cover::{Order, TraversalConfig};
 use guardbit::explore::field::Level;
 use guardbit::explore::fit::{Lesser, Request, exhaustive, fit, least};
 use guardbit::explore::metric::Metric;
@@ -13,7 +14,7 @@ use guardbit::explore::sweep::{Found, Sweep};
 use guardbit::explore::tolerance::Tolerance;
 use guardbit::measure::accuracy::{Reference, What};
 use guardbit::model::{Drawing, Model};
-use guardbit::profile::{Profile, WindowConfig, load, parse};
+use guardbit::profile::{Profile, WindowConfig, load, parse, triangle_machines};
 use guardbit::scene::{self, Scene};
 use num_traits::ToPrimitive;
 use std::sync::Mutex;
@@ -113,6 +114,34 @@ fn every_toy_space_has_the_answer_of_a_search_that_measures_everything() {
         }
     }
     assert!(found > 100 && none > 20, "both ends are met: {found} {none}");
+}
+
+/// Machines that look beyond the bounding box need wider words than it does.
+#[test]
+fn every_machine_of_edge_words_has_the_answer_of_measuring_everything() {
+    let mut found = 0;
+    for kind in triangle_machines() {
+        let mut base = toy().with_machine(kind.name).unwrap();
+        if base.form.edge().is_none() || !base.form.walks_a_plane() {
+            continue;
+        }
+        let orders =
+            if base.form.visits_the_box() { &[None, Some(Order::Tiles)][..] } else { &[None] };
+        for order in orders {
+            base.traversal =
+                order.map(|order| TraversalConfig { order, stamp: guardbit::cover::Stamp::One });
+            for scene in 0..4 {
+                let mut words = Words::new(31, 4, scene);
+                let axes = ["edge-width=4..12", "interpolation=1..3"];
+                let sweep = sweep(&base, &axes, random_triangles(&mut words, &base));
+                let request = request(&sweep, &["misclassified=0"], "adder-bits");
+                let wanted = exhaustive(&request, 2).unwrap();
+                assert_eq!(answer(&request), wanted, "{} {order:?} {scene}", kind.name);
+                found += u32::from(wanted.is_some());
+            }
+        }
+    }
+    assert!(found >= 12, "{found}");
 }
 
 #[test]

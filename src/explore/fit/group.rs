@@ -129,8 +129,10 @@ impl Group {
         tolerances: &[Tolerance],
     ) -> Result<usize, InvalidProfile> {
         let mut profile = profile.clone();
-        if let Some(edges) = profile.form.edge_mut() {
-            // All widths that hold every edge word draw the exact picture.
+        let boxed = profile.form.visits_the_box() && profile.traversal.is_none();
+        if let Some(edges) = profile.form.edge_mut().filter(|_| boxed) {
+            // All widths that hold every edge word of the bounding boxes draw the exact picture, on a machine
+            // that looks nowhere else.
             edges.width = edges.width.min(self.need(*edges).max(2));
         }
         if let Some(known) = self.coverages.iter().position(|known| known.form == profile.form) {
