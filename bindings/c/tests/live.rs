@@ -115,8 +115,7 @@ fn ghdl(ghdl: &str) {
     // The package names the library in the folder where the simulation runs.
     std::os::unix::fs::symlink(library("libguardbit_c.so"), home.path().join("libguardbit_c.so"))
         .unwrap();
-    let files =
-        ["../../hdl/dda.vhd", "vhpi/guardbit_vhpi.vhd", "vhpi/live.vhd"].map(here);
+    let files = ["../../hdl/dda.vhd", "vhpi/guardbit_vhpi.vhd", "vhpi/live.vhd"].map(here);
     let [device, package, bench] = &files;
     good(home.path(), ghdl, &["-a", "--std=08", device, package, bench]);
     good(home.path(), ghdl, &["-e", "--std=08", "live"]);

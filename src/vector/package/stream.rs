@@ -1,17 +1,22 @@
 //! Benches of devices behind valid/ready streams: one record in, rows of several files out.
 
 use super::Interface;
-use super::half::{pack, text_mask};
+use super::half::{Half, pack, text_mask};
 use super::record::{Field, Record};
-use super::rtl;
+use super::rtl::{self, Source, Values};
 use super::template::fill;
+use crate::format::Clamp;
 
 /// A device, the file that drives it and the files that it answers.
 pub(super) struct Stream<'a> {
     /// The bench's name, and the stem of the file that drives it.
     pub(super) name: &'static str,
     device: &'static str,
+    /// The modules that the device is made of, itself last.
+    parts: &'static [&'static Source],
     cfg: &'a Record<'a>,
+    /// The column of `cfg` that has the width of the device's coordinates.
+    coordinate: &'a Field<'a>,
     answers: Vec<Answer<'a>>,
 }
 
@@ -36,15 +41,14 @@ pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> V
     }
     let words = [&EDGES[..], &PLANE].concat();
     let vertices = ["x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2"];
-    let setup =
-        stream(records, "setup", "triangle_setup", &vertices, &[("setup.exp", "o_", &words, &[])]);
+    let setup = stream(records, "setup", SETUP, &vertices, &[("setup.exp", "o_", &words, &[])]);
     let engine = [&["test"][..], &words, &["x0", "y0", "x1", "y1"]].concat();
     let summary =
         ["test", "spans", "samples", "wrap", "clamp_above", "clamp_below", "inexact", "zero_area"];
     let triangle = stream(
         records,
         "triangle",
-        "triangle_engine",
+        ENGINE,
         &engine,
         &[
             ("span.exp", "span_", &["test", "y", "x0", "x1"], &[]),
@@ -53,16 +57,31 @@ pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> V
         ],
     );
     // A sticky accumulator depends on the way, and a refused triangle has no rows.
-    let walks = !matches!(interface.clamp.mode.as_str(), "saturate" | "error");
+    let walks = !matches!(interface.clamp.mode, Clamp::Saturate | Clamp::Error);
     setup.into_iter().chain(triangle.filter(|_| walks)).collect()
 }
+
+/// A device of `hdl` behind streams, and the modules that it is made of, itself last.
+type Device = (&'static str, &'static [&'static Source]);
+
+const SETUP: Device = ("triangle_setup", &[&rtl::SETUP_DIVIDER, &rtl::TRIANGLE_SETUP]);
+const ENGINE: Device = (
+    "triangle_engine",
+    &[
+        &rtl::DDA,
+        &rtl::EDGE_STEPPER,
+        &rtl::EDGE_EVALUATOR,
+        &rtl::DEPTH_EVALUATOR,
+        &rtl::TRIANGLE_ENGINE,
+    ],
+);
 
 type Wanted<'n> = (&'n str, &'static str, &'n [&'n str], &'n [&'n str]);
 
 fn stream<'a>(
     records: &'a [Record<'a>],
     name: &'static str,
-    device: &'static str,
+    (device, parts): Device,
     inputs: &[&str],
     answers: &[Wanted<'_>],
 ) -> Option<Stream<'a>> {
@@ -79,30 +98,24 @@ fn stream<'a>(
         let fields = exp.fields.iter().map(|field| (field, compared(&field))).collect();
         Some(Answer { prefix, exp, fields })
     });
-    Some(Stream { name, device, cfg, answers: answers.collect::<Option<_>>()? })
+    let coordinate = cfg.field("x0")?;
+    Some(Stream { name, device, parts, cfg, coordinate, answers: answers.collect::<Option<_>>()? })
 }
 
-/// The modules of these streams' devices, beside `dda` and `edge_stepper` which a set may have
-/// anyway.
-pub(super) fn modules(interface: &Interface, streams: &[Stream], have: &[&str]) -> String {
+/// The modules of these streams' devices, without those of `halves`, which the text has already.
+pub(super) fn modules(interface: &Interface, streams: &[Stream], halves: &[Half]) -> String {
+    // Without a set-up there are no streams.
     let Some(setup) = &interface.setup else { return String::new() };
-    let mut values = rtl::clamp(&interface.clamp);
-    values.extend(rtl::setup(setup));
+    let values = Values::of_clamp(&interface.clamp).and_setup(setup).and("M", setup.edge);
+    let have = |source: &Source| halves.iter().any(|half| half.module.file() == source.file());
     let mut text = String::new();
     for stream in streams {
-        let parts: &[&str] = match stream.device {
-            "triangle_setup" => &["setup_divider", "triangle_setup"],
-            _ => &["dda", "edge_stepper", "edge_evaluator", "depth_evaluator", "triangle_engine"],
-        };
         // A vertex coordinate, or a pixel's.
-        let x0 = stream.cfg.field("x0").map_or(0, |field| field.column.width);
-        let mut values = values.clone();
-        values.extend([("VW", x0.into()), ("C", x0.into())]);
-        for part in parts.iter().filter(|part| !have.contains(part)) {
-            // What divides is told its widths by what it divides for.
-            let values: &[(&str, i128)] = if *part == "setup_divider" { &[] } else { &values };
+        let coordinate = stream.coordinate.column.width;
+        let values = values.clone().and("VW", coordinate).and("C", coordinate);
+        for part in stream.parts.iter().filter(|part| !have(part)) {
             text += "\n";
-            text += &rtl::module(part, values);
+            text += &part.with(&values);
         }
     }
     text
