@@ -484,7 +484,7 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
         }
         let count = 3000;
         let set = write_set(&profile, "fan", &options(count));
-        let bench = TriangleBench::triangle(&source(&profile, "fan", count));
+        let bench = TriangleBench::new(&source(&profile, "fan", count));
         let (reader, grid) = (Reader::of(&profile), profile.grid().unwrap());
         let window = [profile.window.width, profile.window.height].map(i128::from);
         let (setups, exp) = (set.rows("triangle.cfg.tv"), set.rows("triangle.exp.tv"));

@@ -1,10 +1,10 @@
 //! Benches of devices behind valid/ready streams: one record in, rows of several files out.
 
-use super::Interface;
 use super::half::{Half, pack, text_mask};
 use super::record::{Field, Record};
 use super::rtl::{self, Source, Values};
 use super::template::fill;
+use super::{Interface, SetupParameters};
 use crate::format::Clamp;
 
 /// A device, the file that drives it and the files that it answers.
@@ -14,6 +14,8 @@ pub(super) struct Stream<'a> {
     device: &'static str,
     /// The modules that the device is made of, itself last.
     parts: &'static [&'static Source],
+    /// What its set-up is told.
+    setup: SetupParameters,
     cfg: &'a Record<'a>,
     /// The column of `cfg` that has the width of the device's coordinates.
     coordinate: &'a Field<'a>,
@@ -36,17 +38,21 @@ const EVENTS: [&str; 4] = ["wrap", "clamp_above", "clamp_below", "inexact"];
 
 /// The streams that the set has all files for, and whose device this crate has.
 pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
-    if interface.setup.is_none() {
-        return Vec::new();
-    }
+    let Some(parameters) = interface.setup else { return Vec::new() };
     let words = [&EDGES[..], &PLANE].concat();
     let vertices = ["x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2"];
-    let setup = stream(records, "setup", SETUP, &vertices, &[("setup.exp", "o_", &words, &[])]);
+    let setup = stream(
+        (records, parameters),
+        "setup",
+        SETUP,
+        &vertices,
+        &[("setup.exp", "o_", &words, &[])],
+    );
     let engine = [&["test"][..], &words, &["x0", "y0", "x1", "y1"]].concat();
     let summary =
         ["test", "spans", "samples", "wrap", "clamp_above", "clamp_below", "inexact", "zero_area"];
     let triangle = stream(
-        records,
+        (records, parameters),
         "triangle",
         ENGINE,
         &engine,
@@ -79,7 +85,7 @@ const ENGINE: Device = (
 type Wanted<'n> = (&'n str, &'static str, &'n [&'n str], &'n [&'n str]);
 
 fn stream<'a>(
-    records: &'a [Record<'a>],
+    (records, setup): (&'a [Record<'a>], SetupParameters),
     name: &'static str,
     (device, parts): Device,
     inputs: &[&str],
@@ -99,20 +105,27 @@ fn stream<'a>(
         Some(Answer { prefix, exp, fields })
     });
     let coordinate = cfg.field("x0")?;
-    Some(Stream { name, device, parts, cfg, coordinate, answers: answers.collect::<Option<_>>()? })
+    Some(Stream {
+        name,
+        device,
+        parts,
+        setup,
+        cfg,
+        coordinate,
+        answers: answers.collect::<Option<_>>()?,
+    })
 }
 
 /// The modules of these streams' devices, without those of `halves`, which the text has already.
 pub(super) fn modules(interface: &Interface, streams: &[Stream], halves: &[Half]) -> String {
-    // Without a set-up there are no streams.
-    let Some(setup) = &interface.setup else { return String::new() };
-    let values = Values::of_clamp(&interface.clamp).and_setup(setup).and("M", setup.edge);
+    let values = Values::of_clamp(&interface.clamp);
     let have = |source: &Source| halves.iter().any(|half| half.module.file() == source.file());
     let mut text = String::new();
     for stream in streams {
         // A vertex coordinate, or a pixel's.
         let coordinate = stream.coordinate.column.width;
-        let values = values.clone().and("VW", coordinate).and("C", coordinate);
+        let values = values.clone().and_setup(&stream.setup).and("M", stream.setup.edge);
+        let values = values.and("VW", coordinate).and("C", coordinate);
         for part in stream.parts.iter().filter(|part| !have(part)) {
             text += "\n";
             text += &part.with(&values);

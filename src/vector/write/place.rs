@@ -123,9 +123,13 @@ fn made_by_us(out: &Path) -> (BTreeSet<OsString>, Option<PathBuf>) {
             ours.insert(OsString::from(manifest::NAME));
             ours.extend(set.manifest.files.iter().map(|file| OsString::from(&file.name)));
         } else {
-            let strange = names(&set.folder).unwrap_or_default().into_iter().find(|name| {
-                name != manifest::NAME && !set.manifest.files.iter().any(|f| *name == *f.name)
-            });
+            let strange = match names(&set.folder) {
+                Ok(names) => names.into_iter().find(|name| {
+                    name != manifest::NAME && !set.manifest.files.iter().any(|f| *name == *f.name)
+                }),
+                // Nobody knows what is in a folder that cannot be listed.
+                Err(_) => Some(OsString::new()),
+            };
             ours.insert(OsString::from(INDEX));
             ours.extend(set.folder.file_name().filter(|_| strange.is_none()).map(OsString::from));
             inner = inner.or(strange.map(|name| set.folder.join(name)));

@@ -234,7 +234,8 @@ pub(super) fn random(
     let pixel = 1i64 << profile.vertex.sub_pixel;
     let window = [profile.window.width, profile.window.height];
     let from = window.map(|side| words.between(-pixel, (i64::from(side) + 1) * pixel));
-    let top = i64::try_from(profile.depth_max()).unwrap_or(i64::MAX);
+    // Depth codes of 64 bits are drawn from the lower half of their range.
+    let top = profile.depth_max().min(i64::MAX.cast_unsigned()).cast_signed();
     let most = match profile.form {
         Form::Homogeneous(machine) => (1i64 << machine.w.min(8)) - 1,
         _ => 1,
