@@ -7,6 +7,7 @@ mod fixed;
 mod layout;
 mod q;
 mod readout;
+mod role;
 
 pub use self::fixed::Fixed;
 pub use budget::Budget;
@@ -14,3 +15,4 @@ pub use column::Column;
 pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
 pub use q::{Format, Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};
+pub use role::{Role, RoleOf, Word};

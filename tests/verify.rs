@@ -24,7 +24,7 @@ use guardbit::vector::emit;
 use guardbit::vector::manifest::Manifest;
 use guardbit::vector::plan::Shard;
 use guardbit::vector::table::RowFormat;
-use guardbit::vector::write::{self, Monitor, SetIndex, SetRequest};
+use guardbit::vector::write::{self, Monitor, Options, SetIndex, SetRequest};
 use set::{Set, copy, options, profile, request, tree, write_set};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -242,6 +242,39 @@ fn what_is_no_set_of_this_model_is_refused() {
     std::fs::write(golden.file("manifest.json"), manifest.to_text()).unwrap();
     let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err().to_string();
     assert!(error.contains("model version 2") && error.contains("version 1"), "{error}");
+}
+
+// Clause N-12
+#[test]
+fn a_set_of_another_schema_is_refused_and_can_be_written_anew() {
+    let golden = write_set(&profile("tiny"), "triangle", &options(50));
+    let schema = |found: u32| {
+        let manifest = Manifest { schema: found, ..golden.manifest.clone() };
+        std::fs::write(golden.file("manifest.json"), manifest.to_text()).unwrap();
+        let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err();
+        assert!(matches!(error, CheckError::OtherSchema { .. }), "{error}");
+        let text = error.to_string();
+        let says =
+            format!("manifest.json: a set of schema {found}, and this version reads schema 2");
+        assert!(text.contains(&says), "{text}");
+        text
+    };
+    assert!(schema(3).contains("check the set with the version of guardbit that wrote it"));
+    assert!(schema(1).contains("write the set anew with `guardbit vectors`"));
+    // Fields that this version does not know are no reason to say less.
+    let text = golden.text("manifest.json").replacen('{', "{\n  \"older\": true,", 1);
+    std::fs::write(golden.file("manifest.json"), text).unwrap();
+    let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err();
+    assert!(matches!(error, CheckError::OtherSchema { found: 1, .. }), "{error}");
+    // It is replaced where that is asked for, and nothing else is.
+    let requests = [request(&profile("tiny"), "triangle")];
+    let force = Options { force: true, ..options(50) };
+    let write = || write::write(&requests, &golden.folder(), false, &force, &Monitor::default());
+    std::fs::write(golden.file("notes.txt"), "mine").unwrap();
+    assert!(write().unwrap_err().to_string().contains("notes.txt is no part of a vector set"));
+    std::fs::remove_file(golden.file("notes.txt")).unwrap();
+    write().unwrap();
+    assert_eq!(checked(&golden.folder(), CheckOptions::default()).unwrap().findings, []);
 }
 
 // Clause N-10 and Clause N-12

@@ -39,6 +39,22 @@ pub struct FileSpec {
     pub stem: String,
     /// Its columns.
     pub columns: Vec<Column>,
+    /// How many of the first columns say where a row belongs, so that rows may come in any order; 0
+    /// where only the order says it.
+    pub key: usize,
+}
+
+impl FileSpec {
+    /// A file whose rows are told by their order.
+    pub fn ordered(stem: impl Into<String>, columns: Vec<Column>) -> Self {
+        Self { stem: stem.into(), columns, key: 0 }
+    }
+
+    /// A file whose rows are told by their first columns.
+    pub fn keyed(stem: impl Into<String>, key: Vec<Column>, rest: Vec<Column>) -> Self {
+        let count = key.len();
+        Self { stem: stem.into(), columns: [key, rest].concat(), key: count }
+    }
 }
 
 /// Tests of one class in one bench, in file order.

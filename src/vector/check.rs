@@ -60,6 +60,17 @@ pub enum CheckError {
         /// What is wrong.
         message: String,
     },
+    /// Of another schema.
+    #[error(
+        "{path}: a set of schema {found}, and this version reads schema {schema}: {advice}",
+        schema = manifest::SCHEMA, advice = advice(*found)
+    )]
+    OtherSchema {
+        /// The manifest or index.
+        path: String,
+        /// Its schema version.
+        found: u32,
+    },
     /// Made by another model.
     #[error(
         "{path}: made by model version {found}, this is model version {MODEL_VERSION}: write the set again"
@@ -117,6 +128,15 @@ pub struct CheckReport {
     pub findings: Vec<Finding>,
     /// Rows checked.
     pub rows: u64,
+}
+
+/// What to do with a set of another schema.
+fn advice(found: u32) -> &'static str {
+    if found < manifest::SCHEMA {
+        "columns have other names and another order now; write the set anew with `guardbit vectors`"
+    } else {
+        "check the set with the version of guardbit that wrote it"
+    }
 }
 
 fn io(path: &Path) -> impl Fn(std::io::Error) -> CheckError {

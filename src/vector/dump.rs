@@ -108,13 +108,7 @@ impl Subject {
 
     /// Leading columns that say where a row belongs; 0 when only the order says it.
     fn key(&self) -> usize {
-        match self.spec.stem.as_str() {
-            "span.exp" | "line.exp" | "point.exp" | "quad.exp" | "clip.exp" => 4,
-            "depth.exp" if self.spec.columns.len() == 5 => 4,
-            "depth.exp" | "mask.exp" | "quad-depth.exp" | "clip-depth.exp" => 3,
-            "triangle.exp" => 1,
-            _ => 0,
-        }
+        self.spec.key
     }
 }
 

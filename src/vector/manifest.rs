@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 /// File name of the manifest.
 pub const NAME: &str = "manifest.json";
 
-/// The schema version of manifests.
-pub const SCHEMA: u32 = 1;
+/// The schema version of manifests: 2 since columns are named by [`crate::format::Role`].
+pub const SCHEMA: u32 = 2;
 
 /// Everything about a set; no time, host or path.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -432,7 +432,7 @@ impl Device<TriangleTest> for Drawer {
         }
         let depths = rows.depths.as_mut().expect("a set with depth");
         for [x, y, z] in drawn.depths {
-            depths.push(&[number, x, y, z]);
+            depths.push(&[number, y, x, z]);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! The bench of a machine that begins at registers: words in, records out. Spec clause `N-2`.
 
 use super::rig::NoFiles;
+use super::word::place_columns;
 use super::{
     Bench, Coverage, FileSpec, Group, RegisterAnswers, Rig, Run, Shape, Source, TestAt, TestBench,
     cut,
@@ -188,10 +189,9 @@ impl RegisterBench {
 }
 
 fn files(registers: &Registers) -> (FileSpec, RegisterAnswers<FileSpec>) {
-    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
     let spec = |stem: String, columns: Vec<Column>| {
-        let columns = std::iter::once(test()).chain(columns).collect();
-        FileSpec { stem, columns }
+        // A test writes several records of a kind: their order tells them.
+        FileSpec::ordered(stem, [place_columns(&[]), columns].concat())
     };
     let records = registers.records.iter().map(|record| {
         let stem = format!("words-{}.exp", record.letter.to_ascii_lowercase());

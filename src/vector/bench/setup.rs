@@ -4,6 +4,7 @@ use super::rig::OperandRig;
 use super::triangles::{Random, Triangles};
 use super::word::{input_words, ready, setup_columns};
 use super::{Bench, FileSpec, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench};
+use crate::format::Role;
 use crate::model::Model;
 use crate::setup::Triangle;
 use crate::vector::device::{SetUp, Stimulus, setup_words};
@@ -36,11 +37,10 @@ impl SetupBench {
     pub fn new(source: &Source) -> Self {
         let random = Random { rows_per_test: 64, class: 3, reach: None };
         let model = Arc::new(ready(&source.profile, false));
-        let spec = |stem: &str, columns| FileSpec { stem: stem.to_owned(), columns };
         Self {
             triangles: Triangles::new(source, random, |_| true),
-            cfg: spec("setup.cfg", model.ports().input.clone()),
-            exp: Single { exp: spec("setup.exp", setup_columns(&model)) },
+            cfg: FileSpec::ordered("setup.cfg", model.ports().input.clone()),
+            exp: Single { exp: FileSpec::ordered("setup.exp", setup_columns(&model)) },
             model,
         }
     }
@@ -62,7 +62,7 @@ impl SetupBench {
     /// The file of the operand form.
     fn operands(&self) -> FileSpec {
         let columns = self.cfg.columns.iter().chain(&self.exp.exp.columns).cloned().collect();
-        FileSpec { stem: self.name().to_owned(), columns }
+        FileSpec::ordered(self.name(), columns)
     }
 }
 
@@ -126,8 +126,9 @@ impl Bench for SetupBench {
     }
 
     fn fields(&self, column: &str) -> Vec<(String, u32)> {
-        match (column, self.model.depth()) {
-            ("z" | "dzdx" | "dzdy", Some(depth)) => {
+        let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY];
+        match self.model.depth().filter(|_| plane.iter().any(|role| role.pattern == column)) {
+            Some(depth) => {
                 let read = depth.read_out();
                 vec![
                     ("guard".to_owned(), read.guard()),
@@ -135,7 +136,7 @@ impl Bench for SetupBench {
                     ("fraction".to_owned(), read.fraction()),
                 ]
             }
-            _ => Vec::new(),
+            None => Vec::new(),
         }
     }
 }

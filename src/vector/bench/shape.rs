@@ -4,12 +4,12 @@
 mod stimulus;
 
 use super::rig::NoFiles;
+use super::word::{PIXEL, RUN, place_columns};
 use super::{
     Bench, Coverage, FileSpec, Group, Rig, Run, Shape, ShapeAnswers, Source, TestAt, TestBench, cut,
 };
 use crate::case::triangle::RANDOM;
 use crate::case::{Class, place};
-use crate::format::Column;
 use crate::model::Model;
 use crate::profile::{Form, Profile};
 use crate::vector::device::{ShapeDrawer, Stimulus};
@@ -164,23 +164,15 @@ impl ShapeBench {
 }
 
 fn files(kind: ShapeKind, model: &Model, has_depth: bool) -> (FileSpec, ShapeAnswers<FileSpec>) {
-    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
-    let pixel = |name, meaning| Column::new(name, 17, false, 0, meaning);
     let name = kind.name();
-    let mut cfg = vec![test()];
+    let mut cfg = place_columns(&[]);
     cfg.extend(stimulus::columns(kind, model, has_depth));
-    let exp = vec![
-        test(),
-        pixel("y", "Row."),
-        pixel("x0", "First column."),
-        pixel("x1", "One past the last column."),
-    ];
-    let depths = model.ports().depth.as_ref().filter(|_| has_depth).map(|z| {
-        let columns = vec![test(), pixel("x", "Column."), pixel("y", "Row."), z.clone()];
-        FileSpec { stem: format!("{name}-depth.exp"), columns }
+    let depths = model.ports().depth.as_ref().filter(|_| has_depth).map(|depth| {
+        let stem = format!("{name}-depth.exp");
+        FileSpec::keyed(stem, place_columns(PIXEL), vec![depth.clone()])
     });
-    let spans = FileSpec { stem: format!("{name}.exp"), columns: exp };
-    (FileSpec { stem: format!("{name}.cfg"), columns: cfg }, ShapeAnswers { spans, depths })
+    let spans = FileSpec::keyed(format!("{name}.exp"), place_columns(RUN), Vec::new());
+    (FileSpec::ordered(format!("{name}.cfg"), cfg), ShapeAnswers { spans, depths })
 }
 
 impl TestBench for ShapeBench {

@@ -2,11 +2,11 @@
 
 use super::rig::NoFiles;
 use super::triangles::{Random, Triangles};
-use super::word::{answer_files, bounds, ready, setup_columns};
+use super::word::{answer_files, bounds, place_columns, ready, setup_columns};
 use super::{
     Bench, Coverage, FileSpec, Group, Rig, Run, Shape, Source, TestAt, TestBench, TriangleAnswers,
 };
-use crate::format::Column;
+use crate::format::Role;
 use crate::model::Model;
 use crate::setup::Triangle;
 use crate::vector::device::{Drawer, Stimulus, setup_words};
@@ -54,19 +54,14 @@ impl TriangleBench {
             let [x0, y0, x1, y1] = bounds(&model, triangle);
             i128::from(x1 - x0) * i128::from(y1 - y0)
         };
-        let pixel = |name, meaning| Column::new(name, 17, false, 0, meaning);
-        let mut columns = vec![Column::new("test", 32, false, 0, "Number of the test, from 0.")];
+        let mut columns = place_columns(&[]);
         columns.extend(setup_columns(&model));
-        columns.extend([
-            pixel("x0", "First column of the bounding box in the window."),
-            pixel("y0", "First row of the bounding box."),
-            pixel("x1", "One past its last column."),
-            pixel("y1", "One past its last row."),
-        ]);
+        let sides = [Role::BOX_Y_BEGIN, Role::BOX_Y_END, Role::BOX_X_BEGIN, Role::BOX_X_END];
+        columns.extend(sides.map(|role| role.column(Role::PIXEL_WORD)));
         Self {
             setup: Arc::new(ready(&source.profile, false)),
             triangles: Triangles::new(source, random, |triangle| samples(triangle) <= LARGEST),
-            cfg: FileSpec { stem: "triangle.cfg".to_owned(), columns },
+            cfg: FileSpec::ordered("triangle.cfg", columns),
             answers: answer_files(&model),
             model,
         }
@@ -99,7 +94,8 @@ impl TestBench for TriangleBench {
     fn configure(&self, test: &TriangleTest, cfg: &mut Table) {
         let mut words = vec![i128::from(test.test)];
         words.extend(&test.setup);
-        words.extend(test.bounds.map(i128::from));
+        let [x0, y0, x1, y1] = test.bounds;
+        words.extend([y0, y1, x0, x1].map(i128::from));
         cfg.push(&words);
     }
 

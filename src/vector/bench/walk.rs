@@ -5,7 +5,7 @@ use super::{Bench, FileSpec, Group, Rig, Run, Shape, Single, Source, TestAt, Tes
 use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
 use crate::case::{Words, place};
 use crate::cover::SampleGrid;
-use crate::format::{Clamp, Column, ReadOut};
+use crate::format::{Clamp, ReadOut, Role, Word};
 use crate::profile::Profile;
 use crate::setup::Triangle;
 use crate::value::Depth;
@@ -126,41 +126,29 @@ impl WalkBench {
 
     fn file_specs(kind: WalkKind, read: ReadOut) -> (FileSpec, Single<FileSpec>) {
         let width = read.width();
-        let op = Column::new("op", 2, false, 0, "0 load, 1 step by dx, 2 step by dy, 3 hold.");
-        let fraction = if kind == WalkKind::Depth { read.fraction() } else { 0 };
-        let word = |name, meaning| Column::new(name, width, true, fraction, meaning);
+        let op = Role::OP.column(Word::unsigned(2));
+        let word = |role: Role| {
+            let fraction = if kind == WalkKind::Depth { read.fraction() } else { 0 };
+            role.column(Word::signed(width).fraction(fraction))
+        };
         match kind {
             WalkKind::Depth => {
-                let out = "Read-out after the clamp.";
-                let exp = vec![
-                    op,
-                    word("acc", "Accumulator after the clock edge."),
-                    Column::new("out", read.integer(), false, 0, out),
-                ];
-                let cfg = vec![
-                    word("init", "Accumulator that the load takes."),
-                    word("dx", "Slope per pixel to the right."),
-                    word("dy", "Slope per row downward."),
-                ];
+                let cfg = [Role::INIT, Role::DX, Role::DY].map(word).to_vec();
+                let out = Role::OUT.column(Word::unsigned(read.integer()));
+                let exp = vec![op, word(Role::ACC), out];
                 (
-                    FileSpec { stem: "dda.cfg".to_owned(), columns: cfg },
-                    Single { exp: FileSpec { stem: "dda.exp".to_owned(), columns: exp } },
+                    FileSpec::ordered("dda.cfg", cfg),
+                    Single { exp: FileSpec::ordered("dda.exp", exp) },
                 )
             }
             WalkKind::Edge => {
-                let cfg = vec![
-                    word("e0", "Edge word that the load takes, bias and shift done."),
-                    word("ea", "Step per pixel to the right."),
-                    word("eb", "Step per row downward."),
-                ];
-                let exp = vec![
-                    op,
-                    word("e", "Edge word after the clock edge."),
-                    Column::new("in", 1, false, 0, "1 when the sign bit of e is clear."),
-                ];
+                let roles = [Role::WALKED_EDGE_INIT, Role::WALKED_EDGE_DX, Role::WALKED_EDGE_DY];
+                let cfg = roles.map(word).to_vec();
+                let inside = Role::INSIDE.column(Word::unsigned(1));
+                let exp = vec![op, word(Role::WALKED_EDGE), inside];
                 (
-                    FileSpec { stem: "edge.cfg".to_owned(), columns: cfg },
-                    Single { exp: FileSpec { stem: "edge.exp".to_owned(), columns: exp } },
+                    FileSpec::ordered("edge.cfg", cfg),
+                    Single { exp: FileSpec::ordered("edge.exp", exp) },
                 )
             }
         }
@@ -168,17 +156,12 @@ impl WalkBench {
 
     /// The file of the operand form.
     fn operands(&self) -> FileSpec {
-        let word = |name, meaning| Column::new(name, self.read.width(), true, 0, meaning);
+        let word = Word::signed(self.read.width());
+        let operands = [Role::BEFORE, Role::ADDEND, Role::AFTER].map(|role| role.column(word));
         let result = self.exp.exp.columns[2].clone();
-        let flags = "Bit 0 wrap, 1 clamped above, 2 clamped below, 3 inexact.";
-        let columns = vec![
-            word("a", "Accumulator before the clock edge, 0 for a load."),
-            word("b", "What is added."),
-            word("r", "Accumulator after the clock edge."),
-            result,
-            Column::new("flags", 4, false, 0, flags),
-        ];
-        FileSpec { stem: self.name().to_owned(), columns }
+        let flags = Role::FLAGS.column(Word::unsigned(4));
+        let columns = operands.into_iter().chain([result, flags]).collect();
+        FileSpec::ordered(self.name(), columns)
     }
 
     fn walk(&self, at: TestAt) -> Walk {
@@ -308,7 +291,7 @@ impl Bench for WalkBench {
     fn fields(&self, column: &str) -> Vec<(String, u32)> {
         let (guard, integer, fraction) =
             (self.read.guard(), self.read.integer(), self.read.fraction());
-        if column == "acc" {
+        if column == Role::ACC.pattern {
             [("guard", guard), ("integer", integer), ("fraction", fraction)]
                 .map(|(name, bits)| (name.to_owned(), bits))
                 .to_vec()

@@ -2,7 +2,7 @@
 
 use super::{FileSpec, TriangleAnswers};
 use crate::cover::Rect;
-use crate::format::{Clamp, Column};
+use crate::format::{Clamp, Column, Role, Word};
 use crate::model::{Model, View};
 use crate::profile::Profile;
 use crate::setup::Triangle;
@@ -44,52 +44,46 @@ pub(super) fn input_words(triangle: &Triangle, has_depth: bool) -> Vec<i128> {
 
 /// Set-up words and the flag of no area.
 pub(super) fn setup_columns(model: &Model) -> Vec<Column> {
-    let meaning = "1 when the triangle has no area and draws nothing.";
     let mut columns = model.ports().setup.clone();
-    columns.push(Column::new("zero_area", 1, false, 0, meaning));
+    columns.push(Role::ZERO_AREA.column(Word::unsigned(1)));
     columns
 }
+
+/// The columns that say where a row belongs: its test, its row of pixels, and its pixel or its run.
+pub(super) fn place_columns(roles: &[Role]) -> Vec<Column> {
+    let test = Role::TEST.column(Role::TEST_WORD);
+    std::iter::once(test).chain(roles.iter().map(|role| role.column(Role::PIXEL_WORD))).collect()
+}
+
+/// A run of covered samples.
+pub(super) const RUN: &[Role] = &[Role::Y, Role::X_BEGIN, Role::X_END];
+/// A pixel.
+pub(super) const PIXEL: &[Role] = &[Role::Y, Role::X];
 
 /// The files that an engine answers.
 pub(super) fn answer_files(model: &Model) -> TriangleAnswers<FileSpec> {
     let ports = model.ports();
-    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
-    let pixel = |name, meaning| Column::new(name, 17, false, 0, meaning);
-    let count = |name, meaning| Column::new(name, 32, false, 0, meaning);
-    let spec = |stem: &str, columns| FileSpec { stem: stem.to_owned(), columns };
-    let counts = vec![
-        test(),
-        count("spans", "Maximal runs of covered samples."),
-        count("samples", "Covered samples."),
-        count("wrap", "Covered samples whose depth left the guard range."),
-        count("clamp_above", "Covered samples held at the maximum."),
-        count("clamp_below", "Covered samples held at zero."),
-        count("inexact", "Covered samples whose read-out dropped a fraction."),
-        Column::new("zero_area", 1, false, 0, "1 when the triangle has no area."),
+    let counts = [
+        Role::SPANS,
+        Role::SAMPLES,
+        Role::WRAP,
+        Role::CLAMP_ABOVE,
+        Role::CLAMP_BELOW,
+        Role::INEXACT,
     ];
-    let span = vec![
-        test(),
-        pixel("y", "Row."),
-        pixel("x0", "First covered column."),
-        pixel("x1", "One past the last covered column."),
-    ];
-    let place = || vec![test(), pixel("x", "Column."), pixel("y", "Row.")];
-    let depths = ports.depth.as_ref().map(|z| {
-        let mut columns = place();
-        if ports.by_sample {
-            columns.push(Column::new("sample", 5, false, 0, "Number of the sample."));
-        }
-        columns.push(z.clone());
-        spec("depth.exp", columns)
+    let mut exp = counts.map(|role| role.column(Role::COUNT_WORD)).to_vec();
+    exp.push(Role::ZERO_AREA.column(Word::unsigned(1)));
+    let depths = ports.depth.as_ref().map(|depth| {
+        let mut key = place_columns(PIXEL);
+        key.extend(ports.by_sample.then(|| Role::SAMPLE.column(Word::unsigned(5))));
+        FileSpec::keyed("depth.exp", key, vec![depth.clone()])
     });
-    let masks = ports.mask.as_ref().map(|mask| {
-        let mut columns = place();
-        columns.push(mask.clone());
-        spec("mask.exp", columns)
-    });
+    let masks = ports.mask.as_ref();
+    let masks =
+        masks.map(|mask| FileSpec::keyed("mask.exp", place_columns(PIXEL), vec![mask.clone()]));
     TriangleAnswers {
-        exp: spec("triangle.exp", counts),
-        spans: spec("span.exp", span),
+        exp: FileSpec::keyed("triangle.exp", place_columns(&[]), exp),
+        spans: FileSpec::keyed("span.exp", place_columns(RUN), Vec::new()),
         depths,
         masks,
     }

@@ -55,7 +55,7 @@ impl Device<ShapeTest> for ShapeDrawer {
             for x in x0..x1 {
                 let z = values.next();
                 let z = z.unwrap_or_else(|| unreachable!("a depth for each covered sample"));
-                depths.push(&[number, x, y, i128::from(*z)]);
+                depths.push(&[number, y, x, i128::from(*z)]);
             }
         }
     }

@@ -58,7 +58,7 @@ impl TriangleAnswers<Table> {
     pub(in crate::vector) fn depths(&mut self, test: u64, span: &Span, values: &[u64]) {
         if let Some(depths) = &mut self.depths {
             for (x, z) in (span.x0..span.x1).zip(values) {
-                depths.push(&[test.into(), x.into(), span.y.into(), i128::from(*z)]);
+                depths.push(&[test.into(), span.y.into(), x.into(), i128::from(*z)]);
             }
         }
     }
@@ -84,15 +84,15 @@ impl Drawer {
         for ((x, y), mask) in pixels.zip(&drawing.masks) {
             let [x, y] = [x, y].map(i128::from);
             if let Some(masks) = &mut rows.masks {
-                masks.push(&[test, x, y, i128::from(*mask)]);
+                masks.push(&[test, y, x, i128::from(*mask)]);
             }
             let Some(depths) = &mut rows.depths else { continue };
             if by_sample {
                 for sample in (0..32).filter(|sample| mask >> sample & 1 == 1) {
-                    depths.push(&[test, x, y, sample, value()]);
+                    depths.push(&[test, y, x, sample, value()]);
                 }
             } else {
-                depths.push(&[test, x, y, value()]);
+                depths.push(&[test, y, x, value()]);
             }
         }
     }

@@ -4,6 +4,7 @@ use super::Interface;
 use super::record::{Field, Record};
 use super::rtl::{self, Source};
 use super::template::fill;
+use crate::format::Role;
 
 /// A pair of files that one device answers: walks in, a row of state and output a clock out.
 pub(super) struct Half<'a> {
@@ -30,9 +31,9 @@ struct Shape {
     device: &'static str,
     module: &'static Source,
     entity: &'static Source,
-    inputs: [&'static str; 3],
-    state: &'static str,
-    output: &'static str,
+    inputs: [Role; 3],
+    state: Role,
+    output: Role,
 }
 
 const DDA: Shape = Shape {
@@ -40,18 +41,18 @@ const DDA: Shape = Shape {
     device: "dda",
     module: &rtl::DDA,
     entity: &rtl::DDA_VHDL,
-    inputs: ["init", "dx", "dy"],
-    state: "acc",
-    output: "out",
+    inputs: [Role::INIT, Role::DX, Role::DY],
+    state: Role::ACC,
+    output: Role::OUT,
 };
 const EDGE: Shape = Shape {
     name: "edge",
     device: "edge_stepper",
     module: &rtl::EDGE_STEPPER,
     entity: &rtl::EDGE_STEPPER_VHDL,
-    inputs: ["e0", "ea", "eb"],
-    state: "e",
-    output: "in",
+    inputs: [Role::WALKED_EDGE_INIT, Role::WALKED_EDGE_DX, Role::WALKED_EDGE_DY],
+    state: Role::WALKED_EDGE,
+    output: Role::INSIDE,
 };
 
 /// The half, if the set has both of its files with all of their fixed columns.
@@ -60,8 +61,8 @@ fn half<'a>(records: &'a [Record<'a>], shape: &Shape, parts: &[u32]) -> Option<H
     let find =
         |kind: &str| records.iter().find(|record| record.file.name == format!("{name}.{kind}.tv"));
     let (cfg, exp) = (find("cfg")?, find("exp")?);
-    exp.field("op")?;
-    let state = exp.field(state)?;
+    exp.field(Role::OP.pattern)?;
+    let state = exp.field(state.pattern)?;
     let known = parts.iter().sum::<u32>() == state.column.width;
     Some(Half {
         name,
@@ -70,9 +71,9 @@ fn half<'a>(records: &'a [Record<'a>], shape: &Shape, parts: &[u32]) -> Option<H
         entity,
         cfg,
         exp,
-        inputs: [cfg.field(in0)?, cfg.field(in1)?, cfg.field(in2)?],
+        inputs: [cfg.field(in0.pattern)?, cfg.field(in1.pattern)?, cfg.field(in2.pattern)?],
         state,
-        output: exp.field(output)?,
+        output: exp.field(output.pattern)?,
         parts: if known { parts.to_vec() } else { vec![state.column.width] },
     })
 }

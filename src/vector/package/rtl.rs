@@ -257,6 +257,16 @@ mod tests {
             assert!(![1, 2, 3].contains(&Clamp::Wrap.code()));
         }
         assert_eq!(Clamp::Error.code(), Clamp::Guard.code());
+        // The specification has both tables.
+        let clamps = Clamp::ALL.into_iter().filter(|clamp| *clamp != Clamp::Error);
+        let clamps: Vec<_> = clamps.map(|c| format!("{} {}", c.name(), c.code())).collect();
+        let roundings = Rounding::ALL.map(|r| format!("{r} {}", r.names().code));
+        let spec = include_str!("../../../spec/21-hardware.md");
+        for (parameter, codes) in [("MODE", clamps.join(", ")), ("ROUNDING", roundings.join(", "))]
+        {
+            let line = format!("| `{parameter}` | {codes} |\n");
+            assert!(spec.contains(&line), "{line}");
+        }
         // The packages spell each mode, in VHDL by its place in the type.
         let places = ["WRAP", "GUARD", "SIGN", "SATURATE"];
         for clamp in Clamp::ALL.into_iter().filter(|clamp| *clamp != Clamp::Error) {

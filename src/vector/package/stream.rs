@@ -5,7 +5,7 @@ use super::record::{Field, Record};
 use super::rtl::{self, Source, Values};
 use super::template::fill;
 use super::{Interface, SetupParameters};
-use crate::format::Clamp;
+use crate::format::{Clamp, Role};
 
 /// A device, the file that drives it and the files that it answers.
 pub(super) struct Stream<'a> {
@@ -31,35 +31,45 @@ struct Answer<'a> {
     fields: Vec<(&'a Field<'a>, bool)>,
 }
 
-const EDGES: [&str; 9] = ["e0", "a0", "b0", "e1", "a1", "b1", "e2", "a2", "b2"];
-const PLANE: [&str; 4] = ["z", "dzdx", "dzdy", "zero_area"];
 /// What the summary's events look at is wider than any word of the engine: they are not compared.
-const EVENTS: [&str; 4] = ["wrap", "clamp_above", "clamp_below", "inexact"];
+const EVENTS: [Role; 4] = [Role::WRAP, Role::CLAMP_ABOVE, Role::CLAMP_BELOW, Role::INEXACT];
+
+/// Names of columns of three vertices or edges.
+fn three(roles: [Role; 3]) -> Vec<String> {
+    (0..3).flat_map(|k| roles.map(|role| role.name(k))).collect()
+}
+
+/// Names of columns.
+fn names(roles: &[Role]) -> Vec<String> {
+    roles.iter().map(|role| role.name(0)).collect()
+}
 
 /// The streams that the set has all files for, and whose device this crate has.
 pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
     let Some(parameters) = interface.setup else { return Vec::new() };
-    let words = [&EDGES[..], &PLANE].concat();
-    let vertices = ["x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2"];
+    let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY, Role::ZERO_AREA];
+    let edges = three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]);
+    let words = [edges, names(&plane)].concat();
+    let vertices = three([Role::VERTEX_X, Role::VERTEX_Y, Role::VERTEX_Z]);
+    let test = names(&[Role::TEST]);
+    let sides = [Role::BOX_Y_BEGIN, Role::BOX_Y_END, Role::BOX_X_BEGIN, Role::BOX_X_END];
+    let engine = [test, words.clone(), names(&sides)].concat();
+    let summary =
+        [&[Role::TEST, Role::SPANS, Role::SAMPLES][..], &EVENTS, &[Role::ZERO_AREA]].concat();
     let setup = stream(
         (records, parameters),
-        "setup",
-        SETUP,
+        ("setup", SETUP, Role::VERTEX_X),
         &vertices,
-        &[("setup.exp", "o_", &words, &[])],
+        &[("setup.exp", "o_", words)],
     );
-    let engine = [&["test"][..], &words, &["x0", "y0", "x1", "y1"]].concat();
-    let summary =
-        ["test", "spans", "samples", "wrap", "clamp_above", "clamp_below", "inexact", "zero_area"];
     let triangle = stream(
         (records, parameters),
-        "triangle",
-        ENGINE,
+        ("triangle", ENGINE, Role::BOX_X_BEGIN),
         &engine,
         &[
-            ("span.exp", "span_", &["test", "y", "x0", "x1"], &[]),
-            ("depth.exp", "depth_", &["test", "x", "y", "z"], &[]),
-            ("triangle.exp", "triangle_", &summary, &EVENTS),
+            ("span.exp", "span_", names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
+            ("depth.exp", "sample_", names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
+            ("triangle.exp", "triangle_", names(&summary)),
         ],
     );
     // A sticky accumulator depends on the way, and a refused triangle has no rows.
@@ -82,38 +92,31 @@ const ENGINE: Device = (
     ],
 );
 
-type Wanted<'n> = (&'n str, &'static str, &'n [&'n str], &'n [&'n str]);
+/// A file that a device answers: its stem, what the names of the ports begin with, its columns.
+type Wanted = (&'static str, &'static str, Vec<String>);
 
+/// The stream of that name, if the set has its files with just these columns.
 fn stream<'a>(
     (records, setup): (&'a [Record<'a>], SetupParameters),
-    name: &'static str,
-    (device, parts): Device,
-    inputs: &[&str],
-    answers: &[Wanted<'_>],
+    (name, (device, parts), coordinate): (&'static str, Device, Role),
+    inputs: &[String],
+    answers: &[Wanted],
 ) -> Option<Stream<'a>> {
-    let find = |stem: &str, columns: &[&str]| {
+    let find = |stem: &str, columns: &[String]| {
         let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
-        let same =
-            record.fields.iter().map(|field| &*field.column.name).eq(columns.iter().copied());
+        let same = record.fields.iter().map(|field| &field.column.name).eq(columns);
         (same && record.file.rows > 0).then_some(record)
     };
     let cfg = find(&format!("{name}.cfg"), inputs)?;
-    let answers = answers.iter().map(|(stem, prefix, columns, skipped)| {
+    let answers = answers.iter().map(|(stem, prefix, columns)| {
         let exp = find(stem, columns)?;
-        let compared = |field: &&Field| !skipped.contains(&&*field.column.name);
-        let fields = exp.fields.iter().map(|field| (field, compared(&field))).collect();
+        let skipped = |field: &Field| EVENTS.iter().any(|role| role.pattern == field.column.name);
+        let fields = exp.fields.iter().map(|field| (field, !skipped(field))).collect();
         Some(Answer { prefix, exp, fields })
     });
-    let coordinate = cfg.field("x0")?;
-    Some(Stream {
-        name,
-        device,
-        parts,
-        setup,
-        cfg,
-        coordinate,
-        answers: answers.collect::<Option<_>>()?,
-    })
+    let answers = answers.collect::<Option<_>>()?;
+    let coordinate = cfg.field(&coordinate.name(0))?;
+    Some(Stream { name, device, parts, setup, cfg, coordinate, answers })
 }
 
 /// The modules of these streams' devices, without those of `halves`, which the text has already.

@@ -163,7 +163,7 @@ impl Device<TriangleTest> for Slipped {
         }
         if let Some(table) = &mut rows.depths {
             for (x, y, z) in depths {
-                table.push(&[test.test.into(), x.into(), y.into(), i128::from(z)]);
+                table.push(&[test.test.into(), y.into(), x.into(), i128::from(z)]);
             }
         }
     }
