@@ -11,11 +11,11 @@ module depth_evaluator #(
     input  logic             clk,
     input  logic             rst,
     input  logic [1:0]       op,         // 0 to the corner, 1 next sample, 2 next row, 3 hold
-    input  logic [C-1:0]     x0,         // corner of the box
-    input  logic [C-1:0]     y0,
-    input  logic [G+I+F-1:0] z,          // word at pixel (0, 0)
-    input  logic [G+I+F-1:0] dzdx,
-    input  logic [G+I+F-1:0] dzdy,
+    input  logic [C-1:0]     box_y_begin, // corner of the box
+    input  logic [C-1:0]     box_x_begin,
+    input  logic [G+I+F-1:0] depth_init, // word at pixel (0, 0)
+    input  logic [G+I+F-1:0] depth_dx,
+    input  logic [G+I+F-1:0] depth_dy,
     output logic [I-1:0]     depth       // at the sample that op has reached
 );
     localparam logic [1:0] CORNER = 2'd0, SAMPLE = 2'd1, ROW = 2'd2, HOLD = 2'd3;
@@ -23,20 +23,20 @@ module depth_evaluator #(
     localparam int N = G + I + F;
     localparam int W = N + C;
     /* verilator lint_off UNUSED */
-    wire [W-1:0] across = {{C{1'b0}}, dzdx} * {{N{1'b0}}, x0};
-    wire [W-1:0] down = {{C{1'b0}}, dzdy} * {{N{1'b0}}, y0};
+    wire [W-1:0] across = {{C{1'b0}}, depth_dx} * {{N{1'b0}}, box_x_begin};
+    wire [W-1:0] down = {{C{1'b0}}, depth_dy} * {{N{1'b0}}, box_y_begin};
     wire [N-1:0] left;
     wire [I-1:0] left_out;
     wire [N-1:0] acc;
     /* verilator lint_on UNUSED */
-    wire [N-1:0] corner = z + across[N-1:0] + down[N-1:0];
+    wire [N-1:0] corner = depth_init + across[N-1:0] + down[N-1:0];
 
     dda #(.G(G), .I(I), .F(F), .MODE(MODE)) side (
         .clk(clk), .rst(rst), .op(op == CORNER ? LOAD : op == ROW ? STEP_Y : HOLD),
-        .init(corner), .dx(dzdx), .dy(dzdy), .acc(left), .out_v(left_out)
+        .init(corner), .dx(depth_dx), .dy(depth_dy), .acc(left), .out_v(left_out)
     );
     dda #(.G(G), .I(I), .F(F), .MODE(MODE)) run (
         .clk(clk), .rst(rst), .op(op == SAMPLE ? STEP_X : op == HOLD ? HOLD : LOAD),
-        .init(op == CORNER ? corner : left + dzdy), .dx(dzdx), .dy(dzdy), .acc(acc), .out_v(depth)
+        .init(op == CORNER ? corner : left + depth_dy), .dx(depth_dx), .dy(depth_dy), .acc(acc), .out_v(depth)
     );
 endmodule

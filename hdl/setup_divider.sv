@@ -3,9 +3,7 @@
 module setup_divider #(
     parameter int NW = 100,              // bits of the numerator and of the quotient, signed
     parameter int DW = 50,               // bits of the divisor, unsigned, at least 1
-    // 0 floor, 1 ceiling, 2 toward zero, 3 away from zero; nearest, ties: 4 even, 5 up, 6 down,
-    // 7 away from zero, 8 toward zero; 9 to odd if inexact
-    parameter int ROUNDING = 4,
+    parameter int ROUNDING = 4,          // one of the codes below
     parameter int SERIAL = 1             // 1 a quotient bit a clock, 0 a whole quotient
 ) (
     input  logic          clk,
@@ -16,6 +14,11 @@ module setup_divider #(
     output logic          busy,
     output logic [NW-1:0] quotient       // valid when not busy
 );
+    localparam int FLOOR = 0, CEILING = 1, TOWARD_ZERO = 2, AWAY_FROM_ZERO = 3;
+    // To the nearest; a tie goes where the name says.
+    localparam int NEAREST_EVEN = 4, NEAREST_UP = 5, NEAREST_DOWN = 6;
+    localparam int NEAREST_AWAY = 7, NEAREST_TOWARD_ZERO = 8;
+    localparam int ODD = 9;              // to the odd neighbour if inexact
     localparam int W = NW > DW ? NW : DW;
     // Magnitudes are divided: |n| = q d + r. The sign says what rounding does to q.
     logic [NW-1:0] q;                    // numerator shifting out, quotient shifting in
@@ -67,16 +70,17 @@ module setup_divider #(
     logic up;                            // one more of magnitude
     always_comb
         case (ROUNDING)
-            0: up = inexact && negative;
-            1: up = inexact && !negative;
-            2: up = 1'b0;
-            3: up = inexact;
-            4: up = over || (tie && is_odd);
-            5: up = over || (tie && !negative);
-            6: up = over || (tie && negative);
-            7: up = over || tie;
-            8: up = over;
-            default: up = inexact && !is_odd;
+            FLOOR: up = inexact && negative;
+            CEILING: up = inexact && !negative;
+            TOWARD_ZERO: up = 1'b0;
+            AWAY_FROM_ZERO: up = inexact;
+            NEAREST_EVEN: up = over || (tie && is_odd);
+            NEAREST_UP: up = over || (tie && !negative);
+            NEAREST_DOWN: up = over || (tie && negative);
+            NEAREST_AWAY: up = over || tie;
+            NEAREST_TOWARD_ZERO: up = over;
+            ODD: up = inexact && !is_odd;
+            default: up = 1'b0;
         endcase
     wire [NW-1:0] rounded = whole + {{(NW-1){1'b0}}, up};
     assign quotient = negative ? -rounded : rounded;

@@ -14,21 +14,23 @@ module triangle_engine #(
     input  logic             in_valid,
     output logic             in_ready,
     input  logic [31:0]      test,
-    input  logic [M-1:0]     e0, a0, b0, e1, a1, b1, e2, a2, b2,
-    input  logic [G+I+F-1:0] z, dzdx, dzdy,
+    input  logic [M-1:0]     edge0_init, edge0_dx, edge0_dy,
+    input  logic [M-1:0]     edge1_init, edge1_dx, edge1_dy,
+    input  logic [M-1:0]     edge2_init, edge2_dx, edge2_dy,
+    input  logic [G+I+F-1:0] depth_init, depth_dx, depth_dy,
     input  logic             zero_area,
-    input  logic [C-1:0]     x0, y0, x1, y1,   // the box, half open
+    input  logic [C-1:0]     box_y_begin, box_y_end, box_x_begin, box_x_end,   // half open
     // Maximal runs of covered samples, half open, in the order of y then x.
     output logic             span_valid,
     input  logic             span_ready,
     output logic [31:0]      span_test,
-    output logic [C-1:0]     span_y, span_x0, span_x1,
+    output logic [C-1:0]     span_y, span_x_begin, span_x_end,
     // Covered samples.
-    output logic             depth_valid,
-    input  logic             depth_ready,
-    output logic [31:0]      depth_test,
-    output logic [C-1:0]     depth_x, depth_y,
-    output logic [I-1:0]     depth_z,
+    output logic             sample_valid,
+    input  logic             sample_ready,
+    output logic [31:0]      sample_test,
+    output logic [C-1:0]     sample_y, sample_x,
+    output logic [I-1:0]     sample_depth,
     // One a triangle, when the rest of it has been taken.
     output logic             triangle_valid,
     input  logic             triangle_ready,
@@ -53,15 +55,15 @@ module triangle_engine #(
 
     wire [2:0] covers;
     logic [1:0] op;
-    edge_evaluator #(.M(M), .C(C)) edge_0 (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .e0(e[0]), .ea(a[0]), .eb(b[0]), .in_v(covers[0]));
-    edge_evaluator #(.M(M), .C(C)) edge_1 (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .e0(e[1]), .ea(a[1]), .eb(b[1]), .in_v(covers[1]));
-    edge_evaluator #(.M(M), .C(C)) edge_2 (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .e0(e[2]), .ea(a[2]), .eb(b[2]), .in_v(covers[2]));
-    depth_evaluator #(.G(G), .I(I), .F(F), .MODE(MODE), .C(C)) plane (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .z(start), .dzdx(slope_x), .dzdy(slope_y), .depth(depth_z));
+    edge_evaluator #(.M(M), .C(C)) edge_0 (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .edge_init(e[0]), .edge_dx(a[0]), .edge_dy(b[0]), .in_v(covers[0]));
+    edge_evaluator #(.M(M), .C(C)) edge_1 (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .edge_init(e[1]), .edge_dx(a[1]), .edge_dy(b[1]), .in_v(covers[1]));
+    edge_evaluator #(.M(M), .C(C)) edge_2 (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .edge_init(e[2]), .edge_dx(a[2]), .edge_dy(b[2]), .in_v(covers[2]));
+    depth_evaluator #(.G(G), .I(I), .F(F), .MODE(MODE), .C(C)) plane (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .depth_init(start), .depth_dx(slope_x), .depth_dy(slope_y), .depth(sample_depth));
 
     wire at_end = x == right;
     wire covered = state == RUN && !at_end && covers == 3'b111;
     wire closes = state == RUN && in_run && !covered;
-    wire stalled = (covered && !depth_ready) || (closes && !span_ready);
+    wire stalled = (covered && !sample_ready) || (closes && !span_ready);
     wire moves = state == RUN && !stalled;
     wire last_row = y + 1'b1 >= bottom;
 
@@ -76,12 +78,12 @@ module triangle_engine #(
     assign span_valid = closes;
     assign span_test = name;
     assign span_y = y;
-    assign span_x0 = first;
-    assign span_x1 = x;
-    assign depth_valid = covered;
-    assign depth_test = name;
-    assign depth_x = x;
-    assign depth_y = y;
+    assign span_x_begin = first;
+    assign span_x_end = x;
+    assign sample_valid = covered;
+    assign sample_test = name;
+    assign sample_y = y;
+    assign sample_x = x;
     assign triangle_valid = state == DONE;
     assign triangle_test = name;
     assign triangle_spans = spans;
@@ -98,24 +100,24 @@ module triangle_engine #(
                 IDLE:
                     if (in_valid) begin
                         name <= test;
-                        e[0] <= e0;
-                        a[0] <= a0;
-                        b[0] <= b0;
-                        e[1] <= e1;
-                        a[1] <= a1;
-                        b[1] <= b1;
-                        e[2] <= e2;
-                        a[2] <= a2;
-                        b[2] <= b2;
-                        start <= z;
-                        slope_x <= dzdx;
-                        slope_y <= dzdy;
+                        e[0] <= edge0_init;
+                        a[0] <= edge0_dx;
+                        b[0] <= edge0_dy;
+                        e[1] <= edge1_init;
+                        a[1] <= edge1_dx;
+                        b[1] <= edge1_dy;
+                        e[2] <= edge2_init;
+                        a[2] <= edge2_dx;
+                        b[2] <= edge2_dy;
+                        start <= depth_init;
+                        slope_x <= depth_dx;
+                        slope_y <= depth_dy;
                         nothing <= zero_area;
-                        left <= x0;
-                        right <= x1;
-                        bottom <= y1;
-                        x <= x0;
-                        y <= y0;
+                        left <= box_x_begin;
+                        right <= box_x_end;
+                        bottom <= box_y_end;
+                        x <= box_x_begin;
+                        y <= box_y_begin;
                         spans <= 0;
                         samples <= 0;
                         in_run <= 1'b0;

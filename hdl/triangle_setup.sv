@@ -20,12 +20,14 @@ module triangle_setup #(
     input  logic             rst,
     input  logic             in_valid,
     output logic             in_ready,
-    input  logic [VW-1:0]    x0, y0, x1, y1, x2, y2,
-    input  logic [I-1:0]     z0, z1, z2,
+    input  logic [VW-1:0]    v0_x, v0_y, v1_x, v1_y, v2_x, v2_y,
+    input  logic [I-1:0]     v0_z, v1_z, v2_z,
     output logic             out_valid,
     input  logic             out_ready,
-    output logic [M-1:0]     o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2,
-    output logic [G+I+F-1:0] o_z, o_dzdx, o_dzdy,
+    output logic [M-1:0]     o_edge0_init, o_edge0_dx, o_edge0_dy,
+    output logic [M-1:0]     o_edge1_init, o_edge1_dx, o_edge1_dy,
+    output logic [M-1:0]     o_edge2_init, o_edge2_dx, o_edge2_dy,
+    output logic [G+I+F-1:0] o_depth_init, o_depth_dx, o_depth_dy,
     output logic             o_zero_area
 );
     localparam int N = G + I + F;
@@ -89,7 +91,7 @@ module triangle_setup #(
     wire signed [Q-1:0] gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
     /* verilator lint_off UNUSED */
     wire [ZW-1:0] start;
-    wire [SW-1:0] dzdx, dzdy;
+    wire [SW-1:0] depth_dx, depth_dy;
     /* verilator lint_on UNUSED */
     wire [2:0] busy;
     wire go = held && !going;
@@ -97,10 +99,10 @@ module triangle_setup #(
         .clk(clk), .rst(rst), .start(go), .numerator(ZW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
     );
     setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_x (
-        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(depth_dx)
     );
     setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_y (
-        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(depth_dy)
     );
 
     assign in_ready = !held;
@@ -113,15 +115,15 @@ module triangle_setup #(
         else if (!held) begin
             if (in_valid) begin
                 held <= 1'b1;
-                x[0] <= coordinate(x0);
-                y[0] <= coordinate(y0);
-                z[0] <= {1'b0, z0};
-                x[1] <= coordinate(x1);
-                y[1] <= coordinate(y1);
-                z[1] <= {1'b0, z1};
-                x[2] <= coordinate(x2);
-                y[2] <= coordinate(y2);
-                z[2] <= {1'b0, z2};
+                x[0] <= coordinate(v0_x);
+                y[0] <= coordinate(v0_y);
+                z[0] <= {1'b0, v0_z};
+                x[1] <= coordinate(v1_x);
+                y[1] <= coordinate(v1_y);
+                z[1] <= {1'b0, v1_z};
+                x[2] <= coordinate(v2_x);
+                y[2] <= coordinate(v2_y);
+                z[2] <= {1'b0, v2_z};
             end
         end
         else if (!going)
@@ -135,17 +137,17 @@ module triangle_setup #(
     localparam logic [N-1:0] BIAS = HALF != 0 && F > 0 ? {{(N-1){1'b0}}, 1'b1} << (F - 1) : {N{1'b0}};
     wire [M-1:0] live = {M{!zero_area}};
     wire [N-1:0] alive = {N{!zero_area}};
-    assign o_e0 = e0[SHIFT+M-1:SHIFT] & live;
-    assign o_a0 = step(ya, yb) & live;
-    assign o_b0 = step(xb, xa) & live;
-    assign o_e1 = e1[SHIFT+M-1:SHIFT] & live;
-    assign o_a1 = step(yb, yc) & live;
-    assign o_b1 = step(xc, xb) & live;
-    assign o_e2 = e2[SHIFT+M-1:SHIFT] & live;
-    assign o_a2 = step(yc, ya) & live;
-    assign o_b2 = step(xa, xc) & live;
-    assign o_z = (start[N-1:0] + BIAS) & alive;
-    assign o_dzdx = dzdx[N-1:0] & alive;
-    assign o_dzdy = dzdy[N-1:0] & alive;
+    assign o_edge0_init = e0[SHIFT+M-1:SHIFT] & live;
+    assign o_edge0_dx = step(ya, yb) & live;
+    assign o_edge0_dy = step(xb, xa) & live;
+    assign o_edge1_init = e1[SHIFT+M-1:SHIFT] & live;
+    assign o_edge1_dx = step(yb, yc) & live;
+    assign o_edge1_dy = step(xc, xb) & live;
+    assign o_edge2_init = e2[SHIFT+M-1:SHIFT] & live;
+    assign o_edge2_dx = step(yc, ya) & live;
+    assign o_edge2_dy = step(xa, xc) & live;
+    assign o_depth_init = (start[N-1:0] + BIAS) & alive;
+    assign o_depth_dx = depth_dx[N-1:0] & alive;
+    assign o_depth_dy = depth_dy[N-1:0] & alive;
     assign o_zero_area = zero_area;
 endmodule

@@ -81,17 +81,26 @@ impl Words {
     /// An integer in `[0, limit)`: the top 64 bits of the next word times the limit; 0 for a limit
     /// of 0. Each value's share is right to within 2^-64.
     pub fn below(&mut self, limit: u64) -> u64 {
-        let product = u128::from(self.draw()) * u128::from(limit);
-        // The top half of a 128-bit product fits 64 bits.
-        u64::try_from(product >> 64).unwrap_or(0)
+        let top = self.scaled(limit);
+        u64::try_from(top).unwrap_or_else(|_| unreachable!("{top} < 2^64: the top of 128 bits"))
     }
 
     /// An integer in `[low, high]`; `low` for an empty range. Ranges wider than 2^64 - 1 are cut to
     /// that many values from `low`.
     pub fn between(&mut self, low: i64, high: i64) -> i128 {
-        let count = u64::try_from(i128::from(high) - i128::from(low) + 1).unwrap_or(u64::MAX);
-        i128::from(low) + i128::from(self.below(if low > high { 0 } else { count }))
+        let count = if low > high { 0 } else { high.abs_diff(low).saturating_add(1) };
+        i128::from(low) + self.scaled(count).cast_signed()
     }
+
+    /// The top 64 bits of the next word times a limit.
+    fn scaled(&mut self, limit: u64) -> u128 {
+        (u128::from(self.draw()) * u128::from(limit)) >> 64
+    }
+}
+
+/// The place of item `n` of a list that is in memory.
+pub(crate) fn place(n: u64) -> usize {
+    usize::try_from(n).unwrap_or_else(|_| unreachable!("item {n} of a list that is in memory"))
 }
 
 #[cfg(test)]

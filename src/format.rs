@@ -8,6 +8,7 @@ mod fixed;
 mod layout;
 mod q;
 mod readout;
+mod role;
 mod unreduced;
 
 pub use self::fixed::Fixed;
@@ -17,5 +18,6 @@ pub use decision::{Decision, Level, Refused, Takes, Value};
 pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
 pub use q::{Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};
+pub use role::{Role, RoleOf, Word};
 pub(crate) use unreduced::same_fraction;
 pub use unreduced::{FractionMismatch, Unreduced};

@@ -3,11 +3,13 @@
 
 pub mod bench;
 pub mod check;
+pub mod device;
 pub mod diff;
 pub mod dump;
 pub mod emit;
 pub mod manifest;
 pub mod package;
 pub mod plan;
+pub mod suspect;
 pub mod table;
 pub mod write;

@@ -236,6 +236,33 @@ fn nobody_climbs_two_stairs_or_hides_in_mod_rs() {
     }
 }
 
+/// A bench makes stimulus and a reference answers it: neither knows what a suspect does wrong. All that
+/// a bench says of suspects is that there are some.
+#[test]
+fn benches_and_the_reference_know_no_defect() {
+    let mut seen = 0;
+    for source in sources() {
+        let within = |folder: &str| {
+            let path = source.path.trim_end_matches(".rs");
+            path == folder || path.starts_with(&format!("{folder}/"))
+        };
+        if !within("src/vector/bench") && !within("src/vector/device") {
+            continue;
+        }
+        seen += 1;
+        let tokens = tokens(&source.code);
+        for word in ["quirk", "slip", "defect", "Quirk", "Slip", "Suspect"] {
+            assert!(!tokens.contains(&word), "{}: {word}", source.path);
+        }
+        let used = tokens.windows(3).filter(|w| w[..2] == ["suspect", "::"]);
+        for window in used {
+            assert_eq!(window[2], "Suspects", "{}", source.path);
+            assert_eq!(source.path, "src/vector/bench.rs", "no single bench names suspects");
+        }
+    }
+    assert!(seen > 10, "{seen} files of benches and of the reference");
+}
+
 #[test]
 fn no_floating_point_where_a_bit_is_decided() {
     let mut seen_where_allowed = 0;

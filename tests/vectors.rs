@@ -10,10 +10,11 @@ mod run;
 mod set;
 
 use device::{Reader, Stepper, walks};
-use guardbit::cover::{EdgeStorage, FillRule};
+use guardbit::cover::{DepthAt, EdgeStorage, FillRule, MultisampleConfig};
 use guardbit::exact::{self, Point, Rule};
-use guardbit::format::Clamp;
-use guardbit::profile::{Form, Profile};
+use guardbit::format::{Clamp, Role};
+use guardbit::machine::triangle_machines;
+use guardbit::profile::{Form, Profile, WindowConfig};
 use guardbit::setup::{Division, Triangle};
 use guardbit::vector::bench::{TestAt, TriangleBench, locate};
 use guardbit::vector::manifest::Manifest;
@@ -22,7 +23,7 @@ use guardbit::vector::table::RowFormat;
 use guardbit::vector::write::{self, Monitor, Options};
 use set::{Set, options, profile, request, signed, source, tree, write_set};
 use sha2::{Digest, Sha256};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::{ErrorKind, Read};
 use std::sync::atomic::Ordering;
 
@@ -484,7 +485,7 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
         }
         let count = 3000;
         let set = write_set(&profile, "fan", &options(count));
-        let bench = TriangleBench::triangle(&source(&profile, "fan", count));
+        let bench = TriangleBench::new(&source(&profile, "fan", count));
         let (reader, grid) = (Reader::of(&profile), profile.grid().unwrap());
         let window = [profile.window.width, profile.window.height].map(i128::from);
         let (setups, exp) = (set.rows("triangle.cfg.tv"), set.rows("triangle.exp.tv"));
@@ -505,7 +506,7 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
                 [low.max(0), high.min(window[axis])]
             };
             let ([x0, x1], [y0, y1]) = (range(0), range(1));
-            let bounds = [x0, y0, x1.max(x0), y1.max(y0)].map(i128::cast_unsigned);
+            let bounds = [y0, y1.max(y0), x0, x1.max(x0)].map(i128::cast_unsigned);
             if x0 < x1 && y0 < y1 {
                 assert_eq!(cfg[cfg.len() - 4..], bounds, "{place}");
             }
@@ -531,7 +532,7 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
                     if inside {
                         samples += 1;
                         let value = plane[0] + plane[1] * x + plane[2] * y;
-                        line(&mut depths, &[x, y, reader.read(value)]);
+                        line(&mut depths, &[y, x, reader.read(value)]);
                         for (count, hit) in counts.iter_mut().zip(events(reader, value)) {
                             *count += u128::from(hit);
                         }
@@ -573,7 +574,7 @@ fn the_manifest_says_what_is_there() {
         let name = &profile.name;
         let text = set.text("manifest.json");
         let json: serde_json::Value = serde_json::from_str(&text).unwrap();
-        assert_eq!(json["schema"], 1);
+        assert_eq!(json["schema"], 2);
         assert_eq!(json["seed"], 1);
         assert_eq!(json["count"], 2600);
         let depth = profile.depth.unwrap();
@@ -673,8 +674,8 @@ fn columns_are_named_and_wide_as_the_conventions_fix() {
         ("dda.exp.tv", vec!["op", "acc", "out"]),
         ("edge.cfg.tv", vec!["e0", "ea", "eb"]),
         ("edge.exp.tv", vec!["op", "e", "in"]),
-        ("span.exp.tv", vec!["test", "y", "x0", "x1"]),
-        ("depth.exp.tv", vec!["test", "x", "y", "z"]),
+        ("span.exp.tv", vec!["test", "y", "x_begin", "x_end"]),
+        ("depth.exp.tv", vec!["test", "y", "x", "depth"]),
     ];
     for profile in zoo() {
         let set = write_set(&profile, "triangle", &options(300));
@@ -718,6 +719,78 @@ fn columns_are_named_and_wide_as_the_conventions_fix() {
             }
         }
     }
+}
+
+/// Machines, primitives and numbers of samples of every kind.
+fn profiles_of_every_column() -> Vec<Profile> {
+    let mut list: Vec<Profile> =
+        guardbit::profile::BUILTIN.iter().map(|(n, _)| profile(n)).collect();
+    let small = |name: &str| {
+        let mut made = profile(name);
+        made.window = WindowConfig { width: 64, height: 64 };
+        made
+    };
+    for kind in triangle_machines() {
+        list.push(small("sgi-4k").with_machine(kind.name).unwrap());
+    }
+    for depth in [DepthAt::Centre, DepthAt::Sample] {
+        let multisample = Some(MultisampleConfig { samples: 4, depth });
+        list.push(Profile { multisample, ..small("sgi-4k") });
+    }
+    list
+}
+
+// Clause N-16
+#[test]
+fn every_column_has_a_role_and_comes_in_the_order_of_roles() {
+    let mut used = BTreeSet::new();
+    for profile in profiles_of_every_column() {
+        let source = source(&profile, "triangle", 300);
+        for bench in source.benches() {
+            // Registers and records carry the names of the hardware's own manual.
+            let words = bench.name() == "words";
+            for spec in bench.files().into_iter().chain(bench.operand_file()) {
+                let place = format!("{} {}", profile.name, spec.stem);
+                let columns = spec.columns.iter().map(|column| column.name.as_str());
+                let mut before = None;
+                for name in columns.take(if words { 1 } else { usize::MAX }) {
+                    let found = Role::find(name).unwrap_or_else(|| panic!("{place}: {name}"));
+                    used.insert(found.rank);
+                    // Those of a vertex, edge, side or share stand together.
+                    let family = found.role.pattern.split_once("{k}").map(|(family, _)| family);
+                    let first = Role::ALL.iter().position(|role| {
+                        family.map_or(role.pattern == found.role.pattern, |family| {
+                            role.pattern.starts_with(&format!("{family}{{k}}"))
+                        })
+                    });
+                    let sample = found.sample.unwrap_or(usize::MAX);
+                    let order = Some((first, sample, found.k, found.rank));
+                    assert!(order > before, "{place}: {name} comes too late");
+                    before = order;
+                }
+            }
+        }
+    }
+    let unused: Vec<_> =
+        (0..Role::ALL.len()).filter(|rank| !used.contains(rank)).map(|r| Role::ALL[r]).collect();
+    assert_eq!(unused, [], "no column has this role");
+}
+
+// Clause N-16
+#[test]
+fn the_specification_lists_every_role() {
+    let spec = include_str!("../spec/09-vectors.md");
+    let (_, clause) = spec.split_once("### N-16 ").unwrap();
+    let clause = clause.split("\n### ").next().unwrap();
+    let rows: Vec<&str> = clause.lines().filter(|line| line.starts_with("| `")).collect();
+    let expected: Vec<String> = Role::ALL
+        .iter()
+        .map(|role| {
+            let [name, meaning] = [role.pattern, role.meaning].map(|t| t.replace("{k}", "K"));
+            format!("| `{name}` | {meaning} |")
+        })
+        .collect();
+    assert_eq!(rows, expected);
 }
 
 #[test]

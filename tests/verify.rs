@@ -9,17 +9,23 @@ mod run;
 #[path = "support/set.rs"]
 mod set;
 
-use device::{Drawer, Reader, Slip, Stepper, walks};
+use device::{Clocked, Drawer, Reader, Slip, Stepper};
 use guardbit::bits::Rounding;
 use guardbit::format::Clamp;
 use guardbit::profile::{Form, Profile};
 use guardbit::setup::Triangle;
-use guardbit::vector::bench::{Bench, TriangleBench, locate};
+use guardbit::vector::bench::{
+    Rig, SetupBench, Source, TestBench, TriangleBench, WalkBench, WalkKind,
+};
 use guardbit::vector::check::{self, CheckError, CheckOptions, CheckReport};
+use guardbit::vector::device::Device;
 use guardbit::vector::dump::{self, CompareError, DumpReport};
+use guardbit::vector::emit;
 use guardbit::vector::manifest::Manifest;
-use guardbit::vector::write::{self, Monitor, SetIndex};
-use set::{Set, copy, options, profile, request, source, tree, tv_line, write_set};
+use guardbit::vector::plan::Shard;
+use guardbit::vector::table::RowFormat;
+use guardbit::vector::write::{self, Monitor, Options, SetIndex, SetRequest};
+use set::{Set, copy, options, profile, request, tree, write_set};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use tempfile::TempDir;
@@ -223,12 +229,52 @@ fn what_is_no_set_of_this_model_is_refused() {
     let error = checked(&golden.folder(), options_of(&believed)).unwrap_err().to_string();
     assert!(error.contains("nearest-even") && error.contains("floor"), "{error}");
     checked(&golden.folder(), options_of(&profile("tiny"))).unwrap();
+    // A form that nobody writes.
+    let mut manifest = golden.manifest.clone();
+    manifest.format = "xml".to_owned();
+    std::fs::write(golden.file("manifest.json"), manifest.to_text()).unwrap();
+    let recompute = CheckOptions { recompute: true, ..CheckOptions::default() };
+    let error = checked(&golden.folder(), recompute).unwrap_err().to_string();
+    assert!(error.contains("\"xml\" is none of tv, bin, csv, jsonl, testfloat"), "{error}");
     // Another model version, digest mended.
     let mut manifest = golden.manifest.clone();
     manifest.model_version += 1;
     std::fs::write(golden.file("manifest.json"), manifest.to_text()).unwrap();
     let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err().to_string();
     assert!(error.contains("model version 2") && error.contains("version 1"), "{error}");
+}
+
+// Clause N-12
+#[test]
+fn a_set_of_another_schema_is_refused_and_can_be_written_anew() {
+    let golden = write_set(&profile("tiny"), "triangle", &options(50));
+    let schema = |found: u32| {
+        let manifest = Manifest { schema: found, ..golden.manifest.clone() };
+        std::fs::write(golden.file("manifest.json"), manifest.to_text()).unwrap();
+        let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err();
+        assert!(matches!(error, CheckError::OtherSchema { .. }), "{error}");
+        let text = error.to_string();
+        let says =
+            format!("manifest.json: a set of schema {found}, and this version reads schema 2");
+        assert!(text.contains(&says), "{text}");
+        text
+    };
+    assert!(schema(3).contains("check the set with the version of guardbit that wrote it"));
+    assert!(schema(1).contains("write the set anew with `guardbit vectors`"));
+    // Fields that this version does not know are no reason to say less.
+    let text = golden.text("manifest.json").replacen('{', "{\n  \"older\": true,", 1);
+    std::fs::write(golden.file("manifest.json"), text).unwrap();
+    let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err();
+    assert!(matches!(error, CheckError::OtherSchema { found: 1, .. }), "{error}");
+    // It is replaced where that is asked for, and nothing else is.
+    let requests = [request(&profile("tiny"), "triangle")];
+    let force = Options { force: true, ..options(50) };
+    let write = || write::write(&requests, &golden.folder(), false, &force, &Monitor::default());
+    std::fs::write(golden.file("notes.txt"), "mine").unwrap();
+    assert!(write().unwrap_err().to_string().contains("notes.txt is no part of a vector set"));
+    std::fs::remove_file(golden.file("notes.txt")).unwrap();
+    write().unwrap();
+    assert_eq!(checked(&golden.folder(), CheckOptions::default()).unwrap().findings, []);
 }
 
 // Clause N-10 and Clause N-12
@@ -270,81 +316,55 @@ fn strangers_among_files_and_sets_are_named() {
     }
 }
 
-/// A set, and the bench that says which triangles it draws.
+/// A set, and what its benches are made from.
 struct Golden {
     set: Set,
+    source: Source,
     profile: Profile,
-    triangles: Vec<Triangle>,
-    drawn: Vec<Triangle>,
     keep: TempDir,
 }
 
 impl Golden {
-    fn new(profile: &Profile, count: u64) -> Self {
-        let set = write_set(profile, "fan", &options(count));
-        let source = source(profile, "fan", count);
-        let all = |bench: &TriangleBench| -> Vec<Triangle> {
-            let groups = bench.groups().to_vec();
-            let tests = 0..guardbit::vector::bench::tests(&groups);
-            tests.map(|test| bench.triangle_at(locate(&groups, test).unwrap())).collect()
-        };
-        Self {
-            set,
-            profile: profile.clone(),
-            triangles: all(&TriangleBench::setup(&source)),
-            drawn: all(&TriangleBench::triangle(&source)),
-            keep: tempfile::tempdir().unwrap(),
-        }
+    fn of(request: SetRequest, count: u64) -> Self {
+        let (profile, scene) = (request.profile.clone(), request.scene.clone());
+        let source = Source { profile: profile.clone(), scene, seed: 1, count };
+        let set = set::write_request(request, &options(count));
+        Self { set, source, profile, keep: tempfile::tempdir().unwrap() }
     }
 
     fn named(name: &str, count: u64) -> Self {
-        Self::new(&profile(name), count)
+        Self::of(request(&profile(name), "fan"), count)
     }
 
-    fn widths(&self, name: &str) -> Vec<u32> {
-        let file = self.set.manifest.files.iter().find(|file| file.name == name).unwrap();
-        file.columns.iter().map(|column| column.width).collect()
+    /// A file of the set as a device at a bench answers it.
+    fn answered<B: TestBench>(
+        &self,
+        name: &str,
+        bench: &B,
+        device: impl Device<B::Test> + 'static,
+    ) -> String {
+        let mut files = Kept(vec![Vec::new(); bench.files().len()]);
+        let mut rig = Rig::new(bench, Box::new(device), RowFormat::Tv);
+        emit::run(bench, &mut rig, (Shard::WHOLE, self.source.count), &mut files).unwrap();
+        let stem = name.strip_suffix(".tv").unwrap();
+        let file = bench.files().iter().position(|spec| spec.stem == stem).unwrap();
+        String::from_utf8(files.0.swap_remove(file)).unwrap()
     }
 
     /// The whole file as a stepper answers it.
     fn walked(&self, stem: &str, stepper: Stepper) -> String {
-        let (cfg, exp) =
-            (self.set.rows(&format!("{stem}.cfg.tv")), self.set.rows(&format!("{stem}.exp.tv")));
-        let widths = self.widths(&format!("{stem}.exp.tv"));
-        let mut before = stepper.reset();
-        let mut text = String::new();
-        for (words, walk) in cfg.iter().zip(walks(&exp)) {
-            let ops: Vec<u128> = walk.iter().map(|row| row[0]).collect();
-            for row in stepper.walk_on(&mut before, words, &ops) {
-                text += &(tv_line(&row, &widths) + "\n");
-            }
-        }
-        text
+        let kind = if stem == "dda" { WalkKind::Depth } else { WalkKind::Edge };
+        let bench = WalkBench::new(kind, &self.source).unwrap();
+        self.answered(&format!("{stem}.exp.tv"), &bench, Clocked::new(stepper))
     }
 
     /// The whole file as a drawing device answers it.
     fn drawn(&self, name: &str, drawer: &Drawer) -> String {
-        let widths = self.widths(name);
-        let mut text = String::new();
-        let mut row = |words: &[i128]| {
-            let patterns: Vec<u128> = words.iter().map(|word| word.cast_unsigned()).collect();
-            text += &(tv_line(&patterns, &widths) + "\n");
-        };
         if name == "setup.exp.tv" {
-            for triangle in &self.triangles {
-                let drawn = drawer.set_up(triangle);
-                row(&[&drawn.setup[..], &[i128::from(drawn.zero_area)]].concat());
-            }
-            return text;
+            self.answered(name, &SetupBench::new(&self.source), *drawer)
+        } else {
+            self.answered(name, &TriangleBench::new(&self.source), *drawer)
         }
-        for (test, triangle) in self.drawn.iter().enumerate() {
-            let drawn = drawer.draw(triangle);
-            let rows = if name == "span.exp.tv" { drawn.spans } else { drawn.depths };
-            for words in rows {
-                row(&[&[test as i128], &words[..]].concat());
-            }
-        }
-        text
     }
 
     fn dump(&self, name: &str, text: &str) -> PathBuf {
@@ -393,6 +413,16 @@ impl Golden {
     }
 }
 
+/// The files of a bench, kept.
+struct Kept(Vec<Vec<u8>>);
+
+impl emit::Output for Kept {
+    fn bytes(&mut self, file: usize, bytes: &[u8]) -> std::io::Result<bool> {
+        self.0[file].extend_from_slice(bytes);
+        Ok(true)
+    }
+}
+
 /// Enough rows for every directed class of the profile, some of the scene, some random.
 const PROFILES: [(&str, u64); 3] = [("tiny", 2800), ("sgi-4k", 4000), ("d3d11", 4000)];
 
@@ -416,6 +446,25 @@ fn a_device_that_works_passes() {
             assert_eq!(report.rows, golden.set.rows(file).len() as u64);
             assert_eq!(report.causes, [""; 0]);
         }
+    }
+}
+
+/// The depth columns of a vertex are zero where a scene has none, and what a device answers to zeros is
+/// what the set expects.
+#[test]
+fn a_scene_without_depth_has_a_depth_of_zero() {
+    let profile = profile("d3d11");
+    let mut request = request(&profile, "fan");
+    let flat = request.scene.iter().map(|triangle| Triangle { z: None, ..*triangle });
+    request.scene = std::sync::Arc::new(flat.collect());
+    let golden = Golden::of(request, 4000);
+    let drawer = Drawer::of(&profile);
+    assert!(drawer.half, "a start that is not zero");
+    let scene = golden.set.manifest.groups.iter().find(|g| g.bench == "setup" && g.tag == "scene");
+    assert!(scene.unwrap().tests > 0);
+    for file in ["setup.exp.tv", "span.exp.tv", "depth.exp.tv"] {
+        let text = golden.drawn(file, &drawer);
+        assert_eq!(golden.set.text(file), text, "{file}");
     }
 }
 

@@ -23,7 +23,7 @@ fn request() -> SetRequest {
     let profile = profile::load("sgi-4k").expect("a built-in profile");
     let model = Model::new(&profile).expect("a valid profile");
     let scene = scene::load("knot", &model.viewport()).expect("a built-in scene");
-    let triangles = scene.triangles.iter().filter_map(|t| model.snap(t).ok()).collect();
+    let triangles = scene.triangles.iter().filter_map(|t| model.snap(t).ok().map(|t| *t)).collect();
     let (name, scene_name) = (profile.name.clone(), scene.name);
     SetRequest { name, profile, scene_name, scene: Arc::new(triangles), refused: 0 }
 }

@@ -67,6 +67,9 @@ pub struct RoundingNames {
     pub systemc: Option<&'static str>,
     /// The VHDL numeric_std operation that rounds so.
     pub numeric_std: Option<&'static str>,
+    /// Value of the devices' parameter `ROUNDING`; `hdl/setup_divider.sv` has a constant of the
+    /// same name and value. Spec clause `J-1`.
+    pub code: u32,
 }
 
 /// What was dropped, compared with one half of the last kept bit.
@@ -95,33 +98,38 @@ impl Rounding {
 
     /// The names of this rounding elsewhere.
     pub const fn names(self) -> RoundingNames {
-        let (guardbit, hls, numeric_std) = match self {
-            Self::Floor => ("floor", Some(["AC_TRN", "AP_TRN", "SC_TRN"]), Some("shift_right")),
-            Self::Ceiling => ("ceiling", None, None),
-            Self::TowardZero => {
-                ("toward-zero", Some(["AC_TRN_ZERO", "AP_TRN_ZERO", "SC_TRN_ZERO"]), Some("\"/\""))
-            }
-            Self::AwayFromZero => ("away-from-zero", None, None),
+        let (code, guardbit, hls, numeric_std) = match self {
+            Self::Floor => (0, "floor", Some(["AC_TRN", "AP_TRN", "SC_TRN"]), Some("shift_right")),
+            Self::Ceiling => (1, "ceiling", None, None),
+            Self::TowardZero => (
+                2,
+                "toward-zero",
+                Some(["AC_TRN_ZERO", "AP_TRN_ZERO", "SC_TRN_ZERO"]),
+                Some("\"/\""),
+            ),
+            Self::AwayFromZero => (3, "away-from-zero", None, None),
             Self::NearestEven => {
-                ("nearest-even", Some(["AC_RND_CONV", "AP_RND_CONV", "SC_RND_CONV"]), None)
+                (4, "nearest-even", Some(["AC_RND_CONV", "AP_RND_CONV", "SC_RND_CONV"]), None)
             }
-            Self::NearestUp => ("nearest-up", Some(["AC_RND", "AP_RND", "SC_RND"]), None),
+            Self::NearestUp => (5, "nearest-up", Some(["AC_RND", "AP_RND", "SC_RND"]), None),
             Self::NearestDown => {
-                ("nearest-down", Some(["AC_RND_MIN_INF", "AP_RND_MIN_INF", "SC_RND_MIN_INF"]), None)
+                let hls = ["AC_RND_MIN_INF", "AP_RND_MIN_INF", "SC_RND_MIN_INF"];
+                (6, "nearest-down", Some(hls), None)
             }
             Self::NearestAway => {
-                ("nearest-away", Some(["AC_RND_INF", "AP_RND_INF", "SC_RND_INF"]), None)
+                (7, "nearest-away", Some(["AC_RND_INF", "AP_RND_INF", "SC_RND_INF"]), None)
             }
             Self::NearestTowardZero => {
-                ("nearest-toward-zero", Some(["AC_RND_ZERO", "AP_RND_ZERO", "SC_RND_ZERO"]), None)
+                let hls = ["AC_RND_ZERO", "AP_RND_ZERO", "SC_RND_ZERO"];
+                (8, "nearest-toward-zero", Some(hls), None)
             }
-            Self::Odd => ("odd", None, None),
+            Self::Odd => (9, "odd", None, None),
         };
         let (ac_fixed, ap_fixed, systemc) = match hls {
             Some([ac, ap, sc]) => (Some(ac), Some(ap), Some(sc)),
             None => (None, None, None),
         };
-        RoundingNames { guardbit, ac_fixed, ap_fixed, systemc, numeric_std }
+        RoundingNames { guardbit, ac_fixed, ap_fixed, systemc, numeric_std, code }
     }
 
     /// Whether the rounding errs by one half at most; the others err by less than one.

@@ -244,9 +244,11 @@ impl Stimulus {
     /// A random triangle; `reach` bounds its extent in pixels when given.
     pub fn random(&self, mut words: Words, reach: Option<i128>) -> Triangle {
         let (low, high) = self.range;
+        // Depth codes of 64 bits are drawn from the lower half of their range: the ends of it are
+        // drawn by name below.
         let mut between = |low: i128, high: i128| {
-            let low = i64::try_from(low).unwrap_or(i64::MIN);
-            words.between(low, i64::try_from(high).unwrap_or(i64::MAX).max(low))
+            let [low, high] = [low, high].map(within_i64);
+            words.between(low, high.max(low))
         };
         // Sizes of every magnitude, from a sub-pixel to the window.
         let largest = reach.map_or(high - low, |pixels| pixels * self.pixel);
@@ -266,6 +268,12 @@ impl Stimulus {
         });
         Triangle { xy, z }
     }
+}
+
+/// The nearest value that 64 bits hold.
+fn within_i64(value: i128) -> i64 {
+    let value = value.clamp(i64::MIN.into(), i64::MAX.into());
+    i64::try_from(value).unwrap_or_else(|_| unreachable!("{value} was held in the range"))
 }
 
 /// Tag, what it catches, and triangles with depths as [`Stimulus::part`] takes them.

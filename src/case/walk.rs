@@ -240,13 +240,15 @@ pub fn random(width: u32, words: Words) -> Walk {
         let bits = u128::from(words.word(2 * n)) << 64 | u128::from(words.word(2 * n + 1));
         bits.cast_signed() >> (128 - width)
     };
+    // Three sixteenths of a word, from its low end, say how far each value is shifted.
     let scales = words.word(6);
-    let scale = |n: u32| u32::try_from(scales >> (16 * n) & 0xffff).unwrap_or(0) % width;
+    let [b0, b1, b2, b3, b4, b5, ..] = scales.to_le_bytes();
+    let scale = [[b0, b1], [b2, b3], [b4, b5]].map(|b| u32::from(u16::from_le_bytes(b)) % width);
     Walk {
         // Every other walk starts anywhere, the rest at a random magnitude.
-        init: wide(0) >> if scales >> 63 == 0 { 0 } else { scale(0) },
-        dx: wide(1) >> scale(1),
-        dy: wide(2) >> scale(2),
+        init: wide(0) >> if scales >> 63 == 0 { 0 } else { scale[0] },
+        dx: wide(1) >> scale[1],
+        dy: wide(2) >> scale[2],
         pattern: Pattern::Random(words),
         rows: RANDOM_ROWS,
     }

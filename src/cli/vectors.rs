@@ -9,7 +9,7 @@ use guardbit::profile::{self, Profile};
 use guardbit::vector::bench::{Bench, Source};
 use guardbit::vector::emit;
 use guardbit::vector::plan::{Shard, find_test};
-use guardbit::vector::table::{RowFormat, Table};
+use guardbit::vector::table::RowFormat;
 use guardbit::vector::write::{self, Options, SetRequest};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -258,13 +258,10 @@ fn print_test(request: &SetRequest, options: &Options, id: &str) -> Result<Outco
         return Err(Failure::input(format!("--format {format}: no lines to print for {id}"))
             .hint("choose another --format, such as tv"));
     }
-    let mut tables: Vec<Table> =
-        specs.iter().map(|spec| Table::new(options.format, &spec.columns)).collect();
-    bench.emit(at, u64::MAX, &mut tables, &mut guardbit::vector::bench::Coverage::default());
     let mut output = Output::new();
-    for (spec, table) in specs.iter().zip(&tables) {
+    for (spec, lines) in emit::test_lines(&**bench, at, options.format) {
         let name = write::file_name(&spec.stem, options.format, false);
-        for line in String::from_utf8_lossy(&table.buffer).lines() {
+        for line in lines.lines() {
             output.line(format!("{name}: {line}"))?;
         }
     }

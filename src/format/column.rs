@@ -45,4 +45,9 @@ impl Column {
     pub fn digits(&self) -> usize {
         self.width.div_ceil(4) as usize
     }
+
+    /// Bytes of one word in packed form: the width padded to whole bytes.
+    pub fn bytes(&self) -> usize {
+        self.width.div_ceil(8) as usize
+    }
 }

@@ -28,12 +28,24 @@ impl Clamp {
 
     /// The name profiles use.
     pub const fn name(self) -> &'static str {
+        self.row().0
+    }
+
+    /// Value of the devices' parameter `MODE`; `hdl/dda.sv`, `hdl/dda.vhd` and the packages of a
+    /// set have constants of these names and values. A device cannot refuse a primitive, so
+    /// `error` has the code of the read-out that it decodes with, `guard`. Spec clause `J-1`.
+    pub const fn code(self) -> u32 {
+        self.row().1
+    }
+
+    /// Name and code of a mode.
+    const fn row(self) -> (&'static str, u32) {
         match self {
-            Self::Wrap => "wrap",
-            Self::Guard => "guard",
-            Self::Sign => "sign",
-            Self::Saturate => "saturate",
-            Self::Error => "error",
+            Self::Wrap => ("wrap", 0),
+            Self::Guard => ("guard", 1),
+            Self::Sign => ("sign", 2),
+            Self::Saturate => ("saturate", 3),
+            Self::Error => ("error", Self::Guard.code()),
         }
     }
 }

@@ -12,7 +12,7 @@ use super::{DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
 use crate::cover::{EdgeWordConfig, EdgeWordError};
 use crate::dda::Processor;
-use crate::format::{Column, ReadOut};
+use crate::format::{ReadOut, Role, Word};
 use crate::setup::{Division, Gradient, Plane, Triangle, VertexConfig};
 use crate::value::Depth;
 use schemars::JsonSchema;
@@ -172,20 +172,14 @@ impl Barycentric {
         let mut setup = edge_columns(config.edge, vertex);
         let read = depth.map(|depth| depth.read_out());
         if let Some(read) = read {
+            let share = Word::signed(config.coordinate_width()).fraction(config.coordinate);
+            let rise = Word::signed(read.integer() + 1);
             for n in 1..3 {
-                let column = |name: String, meaning: String| {
-                    let (width, fraction) = (config.coordinate_width(), config.coordinate);
-                    Column::new(&name, width, true, fraction, &meaning)
-                };
-                setup
-                    .push(column(format!("s{n}"), format!("Share of vertex {n} at pixel (0, 0).")));
-                setup.push(column(format!("s{n}dx"), format!("Its change per pixel, vertex {n}.")));
-                setup.push(column(format!("s{n}dy"), format!("Its change per row, vertex {n}.")));
+                let roles = [Role::SHARE_INIT, Role::SHARE_DX, Role::SHARE_DY];
+                setup.extend(roles.map(|role| role.of(n, share)));
             }
-            let rise = |name, meaning| Column::new(name, read.integer() + 1, true, 0, meaning);
-            setup.push(rise("base", "Depth code of vertex 0 of the normalised triangle."));
-            setup.push(rise("rise1", "Depth of vertex 1 less that of vertex 0."));
-            setup.push(rise("rise2", "Depth of vertex 2 less that of vertex 0."));
+            setup.push(Role::DEPTH_BASE.column(rise));
+            setup.extend([1, 2].map(|n| Role::DEPTH_RISE.of(n, rise)));
         }
         let ports = Ports::valued(vertex, setup, depth);
         let mask = EdgeFunction::new(config.edge, None, vertex, target, processor);

@@ -11,7 +11,7 @@ use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWords, for_each_run};
 use crate::dda::{Processor, row_inside};
-use crate::format::Column;
+use crate::format::{Column, Role, Word};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 
@@ -110,13 +110,7 @@ pub(super) fn setup_words(words: &EdgeWords) -> Vec<i128> {
 /// The set-up columns of three edges.
 pub(super) fn edge_columns(edges: EdgeWordConfig, vertex: &VertexConfig) -> Vec<Column> {
     let fraction = edges.fraction(vertex.sub_pixel);
-    let edge = |k| {
-        let names = [
-            (format!("e{k}"), format!("Edge {k} at pixel (0, 0), biased and stored.")),
-            (format!("a{k}"), format!("Edge {k}, step per pixel to the right.")),
-            (format!("b{k}"), format!("Edge {k}, step per row downward.")),
-        ];
-        names.map(|(name, meaning)| Column::new(&name, edges.width, true, fraction, &meaning))
-    };
+    let word = Word::signed(edges.width).fraction(fraction);
+    let edge = |k| [Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY].map(|role| role.of(k, word));
     (0..3).flat_map(edge).collect()
 }

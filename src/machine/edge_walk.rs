@@ -9,7 +9,7 @@ use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
-use crate::format::{Clamp, Column, ReadOut, ReadOutError};
+use crate::format::{Clamp, Column, ReadOut, ReadOutError, Role, Word};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 use schemars::JsonSchema;
@@ -164,19 +164,13 @@ impl EdgeWalkConfig {
 
     /// The set-up columns of edge `k`, in the order of [`WalkedEdge::words`].
     pub(super) fn columns(&self, word: ReadOut, k: usize) -> [Column; 4] {
-        let x = |name: &str, meaning: &str| {
-            let (name, meaning) = (format!("{name}{k}"), format!("Edge {k}, {meaning}."));
-            Column::new(&name, word.width(), true, self.fraction, &meaning)
-        };
-        let row = |name: &str, meaning: &str| {
-            let meaning = format!("Edge {k}, {meaning}; both 0 when it crosses no row.");
-            Column::new(&format!("{name}{k}"), 34, true, 0, &meaning)
-        };
+        let x = Word::signed(word.width()).fraction(self.fraction);
+        let row = Word::signed(34);
         [
-            x("x", "x at its first row"),
-            x("s", "change of x per row"),
-            row("t", "first row"),
-            row("u", "row past its last"),
+            Role::EDGE_X_INIT.of(k, x),
+            Role::EDGE_X_DY.of(k, x),
+            Role::EDGE_Y_BEGIN.of(k, row),
+            Role::EDGE_Y_END.of(k, row),
         ]
     }
 

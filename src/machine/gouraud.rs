@@ -9,7 +9,7 @@ pub(super) use form::KIND;
 use super::painter::{accumulated_span, drawable};
 use super::{DrawError, EdgeWalkConfig, Input, Machine, Ports, Sink, Target, WalkedEdge, Work};
 use crate::bits::Rounding;
-use crate::format::{Column, ReadOut};
+use crate::format::{ReadOut, Role, Word};
 use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
 
@@ -43,13 +43,8 @@ impl Gouraud {
         let setup = (0..3)
             .flat_map(|k| {
                 let depth = read.map(|read| {
-                    [
-                        (format!("z{k}"), format!("Edge {k}, depth at its first row.")),
-                        (format!("w{k}"), format!("Edge {k}, change of depth per row.")),
-                    ]
-                    .map(|(name, meaning)| {
-                        Column::new(&name, read.width(), true, read.fraction(), &meaning)
-                    })
+                    let word = Word::signed(read.width()).fraction(read.fraction());
+                    [Role::EDGE_DEPTH_INIT, Role::EDGE_DEPTH_DY].map(|role| role.of(k, word))
                 });
                 config.columns(word, k).into_iter().chain(depth.into_iter().flatten())
             })

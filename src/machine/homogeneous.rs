@@ -10,7 +10,7 @@ pub(super) use form::KIND;
 use super::painter::Painter;
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::FillRule;
-use crate::format::{Column, ReadOut};
+use crate::format::{Column, ReadOut, Role, Word};
 use crate::setup::{ClipSetup, ClipTriangle, Linear, VertexConfig, linear_at};
 use crate::value::Depth;
 use descent::Descent;
@@ -120,21 +120,21 @@ impl Homogeneous {
         target: Target,
     ) -> Self {
         let difference = vertex.difference_bits();
-        let setup = (0..3)
-            .flat_map(|k| {
-                let column = |name: &str, width, fraction, meaning: &str| {
-                    let meaning = format!("Edge {k}, {meaning}.");
-                    Column::new(&format!("{name}{k}"), width, true, fraction, &meaning)
-                };
-                let (slope, whole) = (difference + 2 * config.w + 2, config.edge_width(vertex));
-                let s = vertex.sub_pixel;
-                [
-                    column("a", slope, s, "step per sub-pixel to the right"),
-                    column("b", slope, s, "step per sub-pixel downward"),
-                    column("c", whole, 2 * s, "value at the window's corner"),
-                ]
-            })
-            .collect();
+        let s = vertex.sub_pixel;
+        let whole = Word::signed(config.edge_width(vertex)).fraction(2 * s);
+        let slope = Word::signed(difference + 2 * config.w + 2).fraction(s);
+        let column = |role: Role, k, word, what| Column {
+            meaning: format!("Edge {k}, {what}."),
+            ..role.of(k, word)
+        };
+        let edge = |k| {
+            [
+                column(Role::EDGE_INIT, k, whole, "value at the window's corner"),
+                column(Role::EDGE_DX, k, slope, "step per sub-pixel to the right"),
+                column(Role::EDGE_DY, k, slope, "step per sub-pixel downward"),
+            ]
+        };
+        let setup = (0..3).flat_map(edge).collect();
         let ports = Ports::triangle(vertex, setup, depth);
         Self { config, depth, difference, target, ports }
     }
@@ -199,7 +199,11 @@ impl Machine for Homogeneous {
             (depth, depth.plane_over(numerators, setup.determinant, grid))
         });
         let mut painter = Painter::over(plane);
-        painter.announce(setup.edges.concat(), self.depth.is_some(), out);
+        painter.announce(
+            setup.edges.map(|[a, b, c]| [c, a, b]).concat(),
+            self.depth.is_some(),
+            out,
+        );
         let mut work = Work::default();
         let functions = self.functions(&setup, clipped);
         for [y, x0, x1] in Descent::new(&functions, &self.target).runs(&mut work) {

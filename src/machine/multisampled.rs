@@ -5,7 +5,7 @@ use super::painter::report;
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::{Place, SpanEvents};
 use crate::cover::{DepthAt, MultisampleConfig, Rect};
-use crate::format::Column;
+use crate::format::{Column, Role, Word};
 use crate::setup::{Plane, Triangle, VertexConfig};
 use crate::value::Depth;
 
@@ -67,24 +67,23 @@ impl Multisampled {
         }
         let read = depth.map(|depth| depth.read_out());
         if let Some(read) = read {
-            let column = |name: &str, meaning: &str| {
-                Column::new(name, read.width(), true, read.fraction(), meaning)
-            };
+            let word = Word::signed(read.width()).fraction(read.fraction());
+            let init = Role::DEPTH_INIT.column(word);
             match config.depth {
                 DepthAt::Centre => {
-                    setup.push(column("z", "Depth accumulator at the centre of pixel (0, 0)."));
+                    let meaning = "Depth accumulator at the centre of pixel (0, 0).".to_owned();
+                    setup.push(Column { meaning, ..init });
                 }
-                DepthAt::Sample => setup.extend((0..config.samples).map(|n| {
-                    let meaning = format!("Depth accumulator at sample {n} of pixel (0, 0).");
-                    column(&format!("z_{n}"), &meaning)
+                DepthAt::Sample => setup.extend((0..config.samples).map(|n| Column {
+                    name: format!("{}_{n}", init.name),
+                    meaning: format!("Depth accumulator at sample {n} of pixel (0, 0)."),
+                    ..init.clone()
                 })),
             }
-            setup.push(column("dzdx", "Depth slope per pixel to the right."));
-            setup.push(column("dzdy", "Depth slope per row downward."));
+            setup.extend([Role::DEPTH_DX, Role::DEPTH_DY].map(|role| role.column(word)));
         }
         let mut ports = Ports::valued(vertex, setup, depth);
-        let meaning = "Covered samples of the pixel, sample 0 in the lowest bit.";
-        ports.mask = Some(Column::new("mask", config.samples, false, 0, meaning));
+        ports.mask = Some(Role::MASK.column(Word::unsigned(config.samples)));
         ports.by_sample = config.depth == DepthAt::Sample && depth.is_some();
         Self { config, samples, depth, target, ports }
     }

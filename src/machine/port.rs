@@ -1,7 +1,7 @@
 //! The words a machine takes and makes. Files, packages and waveforms derive from these.
 
 use super::register::Registers;
-use crate::format::Column;
+use crate::format::{Column, Role, Word};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 
@@ -27,11 +27,10 @@ impl Ports {
     /// is a plane.
     pub fn triangle(vertex: &VertexConfig, mut setup: Vec<Column>, depth: Option<Depth>) -> Self {
         if let Some(read) = depth.map(|depth| depth.read_out()) {
-            let (width, fraction) = (read.width(), read.fraction());
-            let column = |name, meaning| Column::new(name, width, true, fraction, meaning);
-            setup.push(column("z", "Depth accumulator at pixel (0, 0)."));
-            setup.push(column("dzdx", "Depth slope per pixel to the right."));
-            setup.push(column("dzdy", "Depth slope per row downward."));
+            let word = Word::signed(read.width()).fraction(read.fraction());
+            setup.extend(
+                [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY].map(|role| role.column(word)),
+            );
         }
         Self::valued(vertex, setup, depth)
     }
@@ -42,30 +41,24 @@ impl Ports {
         let (low, high) = vertex.range();
         let signed = low < 0;
         let width = i128::BITS - high.leading_zeros() + u32::from(signed);
+        let coordinate = if signed { Word::signed(width) } else { Word::unsigned(width) };
+        let coordinate = coordinate.fraction(vertex.sub_pixel);
         let mut input = Vec::new();
         for n in 0..3 {
-            for axis in ["x", "y"] {
-                let meaning = format!("Vertex {n}, {axis} in sub-pixels.");
-                input.push(Column::new(
-                    &format!("{axis}{n}"),
-                    width,
-                    signed,
-                    vertex.sub_pixel,
-                    &meaning,
-                ));
-            }
-            if let Some(depth) = depth {
-                let (bits, meaning) =
-                    (depth.read_out().integer(), format!("Vertex {n}, depth code."));
-                input.push(Column::new(&format!("z{n}"), bits, false, 0, &meaning));
-            }
+            input.extend([Role::VERTEX_X, Role::VERTEX_Y].map(|role| role.of(n, coordinate)));
+            input.extend(
+                depth.map(|depth| Role::VERTEX_Z.of(n, Word::unsigned(depth.read_out().integer()))),
+            );
         }
         let depth = depth.map(|depth| {
-            let meaning = match depth.config().format {
-                None => "Depth read-out after the clamp.",
-                Some(_) => "Depth as stored, in the profile's depth format.",
-            };
-            Column::new("z", depth.code_bits(), false, 0, meaning)
+            let column = Role::DEPTH.column(Word::unsigned(depth.code_bits()));
+            match depth.config().format {
+                None => column,
+                Some(_) => {
+                    let meaning = "Depth as stored, in the profile's depth format.".to_owned();
+                    Column { meaning, ..column }
+                }
+            }
         });
         Self { input, setup, depth, mask: None, by_sample: false, registers: None }
     }

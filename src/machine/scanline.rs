@@ -8,7 +8,7 @@ pub(super) use form::KIND;
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::{FillRule, fits_narrow, polygon, scan};
-use crate::format::Column;
+use crate::format::{Role, Word};
 use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
 use schemars::JsonSchema;
@@ -48,22 +48,9 @@ impl Scanline {
         target: Target,
     ) -> Self {
         let difference = vertex.difference_bits();
-        let setup = (0..3)
-            .flat_map(|k| {
-                let column = |name: &str, meaning: &str| {
-                    let meaning = format!("Side {k}, {meaning}.");
-                    let name = format!("{name}{k}");
-                    Column::new(&name, difference, true, vertex.sub_pixel, &meaning)
-                };
-                let along = "from its upper end to its lower one, in sub-pixels";
-                [
-                    column("x", "x of its upper end in sub-pixels"),
-                    column("y", "y of its upper end in sub-pixels"),
-                    column("dx", &format!("change of x {along}")),
-                    column("dy", &format!("change of y {along}; 0 cuts no row")),
-                ]
-            })
-            .collect();
+        let word = Word::signed(difference).fraction(vertex.sub_pixel);
+        let side = [Role::SIDE_X, Role::SIDE_Y, Role::SIDE_RUN, Role::SIDE_RISE];
+        let setup = (0..3).flat_map(|k| side.map(|role| role.of(k, word))).collect();
         let ports = Ports::triangle(vertex, setup, depth);
         Self { config, depth, target, narrow: fits_narrow(difference), ports }
     }

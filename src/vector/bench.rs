@@ -1,20 +1,32 @@
-//! What a set tests: one bench a piece of hardware, each with its files, classes of tests, and a
-//! way to emit any test alone. Spec clauses `N-2` to `N-4`.
+//! What a set tests: one bench a piece of hardware, each with its files, classes of tests, and the
+//! stimulus of any test alone. A bench knows no defect: what a device should answer is what the
+//! reference model answers, and what it may answer instead is `vector::suspect`. Spec clauses `N-2`
+//! to `N-4`.
 
 mod coverage;
+mod files;
 mod register;
+mod rig;
+mod setup;
 mod shape;
-mod slip;
 mod triangle;
+mod triangles;
 mod walk;
+mod word;
 
 pub use coverage::{Cell, Coverage, Shape};
-pub use register::RegisterBench;
-pub use shape::{ShapeBench, ShapeKind};
-pub use triangle::TriangleBench;
-pub use walk::{WalkBench, WalkKind};
+pub use files::{Answers, RegisterAnswers, ShapeAnswers, Single, TriangleAnswers};
+pub use register::{RegisterBench, RegisterTest};
+pub use rig::{Rig, Run, TestBench};
+pub use setup::{SetupBench, SetupTest};
+pub use shape::{ShapeBench, ShapeKind, ShapeTest};
+pub use triangle::{TriangleBench, TriangleTest};
+pub(in crate::vector) use walk::read_out;
+pub use walk::{WalkBench, WalkKind, WalkTest};
+pub(in crate::vector) use word::ready;
 
-use super::table::Table;
+use super::suspect::Suspects;
+use super::table::RowFormat;
 use crate::case::Class;
 use crate::format::Column;
 use crate::profile::Profile;
@@ -27,6 +39,22 @@ pub struct FileSpec {
     pub stem: String,
     /// Its columns.
     pub columns: Vec<Column>,
+    /// How many of the first columns say where a row belongs, so that rows may come in any order; 0
+    /// where only the order says it.
+    pub key: usize,
+}
+
+impl FileSpec {
+    /// A file whose rows are told by their order.
+    pub fn ordered(stem: impl Into<String>, columns: Vec<Column>) -> Self {
+        Self { stem: stem.into(), columns, key: 0 }
+    }
+
+    /// A file whose rows are told by their first columns.
+    pub fn keyed(stem: impl Into<String>, key: Vec<Column>, rest: Vec<Column>) -> Self {
+        let count = key.len();
+        Self { stem: stem.into(), columns: [key, rest].concat(), key: count }
+    }
 }
 
 /// Tests of one class in one bench, in file order.
@@ -39,33 +67,27 @@ pub struct Group {
 }
 
 /// Stimulus and expectation for one piece of hardware.
-pub trait Bench: Send + Sync {
+pub trait Bench: Suspects + Send + Sync {
     /// Short name: `dda`, `edge`, `setup`, `triangle`.
     fn name(&self) -> &'static str;
 
     /// Its files: configuration first, then expectations.
-    fn files(&self) -> &[FileSpec];
+    fn files(&self) -> Vec<FileSpec>;
 
     /// Its groups of tests, in file order.
     fn groups(&self) -> &[Group];
 
-    /// Emits test `index` of group `group`; `test` is its number in the whole bench and `limit`
-    /// cuts the rows of a walk. `tables` are in the order of [`Bench::files`].
-    fn emit(&self, at: TestAt, limit: u64, tables: &mut [Table], coverage: &mut Coverage);
+    /// The reference model at this bench: what it answers is what every device is expected to. Its
+    /// tables are those of [`Bench::files`], or the one of [`Bench::operand_file`] in the form
+    /// `testfloat`, and none if the bench has no such form.
+    fn reference(&self, format: RowFormat) -> Box<dyn Run + '_>;
 
     /// Rows of the first expectation file that a test gives, if that is known beforehand.
     fn rows(&self, at: TestAt) -> Option<u64>;
 
-    /// The single file of the operand form, if the bench has one; given one table of it,
-    /// [`Bench::emit`] writes that form.
+    /// The single file of the operand form, if the bench has one.
     fn operand_file(&self) -> Option<FileSpec> {
         None
-    }
-
-    /// Rows at the very start of a file that this device leaves open: what it shows before its
-    /// first clock depends on its reset.
-    fn unsettled(&self) -> u64 {
-        0
     }
 
     /// Which coverage cells the bench can meet.
@@ -77,10 +99,6 @@ pub trait Bench: Send + Sync {
     /// How to take apart the words of a column: name and bits of its fields, most significant
     /// first; empty for a plain number.
     fn fields(&self, column: &str) -> Vec<(String, u32)>;
-
-    /// Devices that differ from the profile in one decision, and that decision in words: the same
-    /// stimulus, other expectations.
-    fn variants(&self) -> Vec<(String, Box<dyn Bench>)>;
 }
 
 /// Which test.
@@ -120,8 +138,8 @@ impl Source {
                 benches.push(Box::new(bench));
             }
         }
-        benches.push(Box::new(TriangleBench::setup(self)));
-        benches.push(Box::new(TriangleBench::triangle(self)));
+        benches.push(Box::new(SetupBench::new(self)));
+        benches.push(Box::new(TriangleBench::new(self)));
         for bench in ShapeKind::ALL.into_iter().filter_map(|kind| ShapeBench::new(kind, self)) {
             benches.push(Box::new(bench));
         }

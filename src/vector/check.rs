@@ -15,8 +15,8 @@ use sha2::{Digest, Sha256};
 use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError};
 
 /// Bytes read at a time.
 const BUFFER: usize = 1 << 18;
@@ -59,6 +59,17 @@ pub enum CheckError {
         line: usize,
         /// What is wrong.
         message: String,
+    },
+    /// Of another schema.
+    #[error(
+        "{path}: a set of schema {found}, and this version reads schema {schema}: {advice}",
+        schema = manifest::SCHEMA, advice = advice(*found)
+    )]
+    OtherSchema {
+        /// The manifest or index.
+        path: String,
+        /// Its schema version.
+        found: u32,
     },
     /// Made by another model.
     #[error(
@@ -119,6 +130,15 @@ pub struct CheckReport {
     pub rows: u64,
 }
 
+/// What to do with a set of another schema.
+fn advice(found: u32) -> &'static str {
+    if found < manifest::SCHEMA {
+        "columns have other names and another order now; write the set anew with `guardbit vectors`"
+    } else {
+        "check the set with the version of guardbit that wrote it"
+    }
+}
+
 fn io(path: &Path) -> impl Fn(std::io::Error) -> CheckError {
     let path = path.display().to_string();
     move |source| CheckError::Io { path: path.clone(), source }
@@ -151,7 +171,7 @@ pub fn check(
         .flat_map(|set| set.manifest.files.iter().map(move |file| (set, file)))
         .collect();
     let next = AtomicUsize::new(0);
-    let results: Mutex<Vec<(usize, Result<bool, CheckError>)>> = Mutex::new(Vec::new());
+    let results: Mutex<Vec<(usize, Result<bool, CheckError>)>> = Mutex::default();
     std::thread::scope(|scope| {
         for _ in 0..options.threads.clamp(1, jobs.len().max(1)) {
             scope.spawn(|| {
@@ -159,14 +179,15 @@ pub fn check(
                     let job = next.fetch_add(1, Ordering::Relaxed);
                     let Some(&(set, file)) = jobs.get(job) else { break };
                     let same = is_as_listed(&set.folder.join(&file.name), file, monitor);
-                    if let Ok(mut results) = results.lock() {
-                        results.push((job, same));
-                    }
+                    results.lock().unwrap_or_else(PoisonError::into_inner).push((job, same));
                 }
             });
         }
     });
-    let mut results = results.into_inner().unwrap_or_default();
+    let mut results = results.into_inner().unwrap_or_else(PoisonError::into_inner);
+    if results.len() != jobs.len() {
+        unreachable!("the scope has joined every worker: {} of {}", results.len(), jobs.len());
+    }
     results.sort_by_key(|(job, _)| *job);
     let mut suspects: Vec<(PathBuf, String)> = Vec::new();
     for (job, same) in results {

@@ -33,7 +33,9 @@ fn fields(profile: &Profile) -> BTreeMap<String, String> {
     }
     let mut map = BTreeMap::new();
     // Profiles hold small integers and strings only, so JSON values carry them exactly.
-    walk(&serde_json::to_value(profile).unwrap_or_default(), "", &mut map);
+    let value = serde_json::to_value(profile)
+        .unwrap_or_else(|error| unreachable!("integers and strings have a JSON form: {error}"));
+    walk(&value, "", &mut map);
     map
 }
 

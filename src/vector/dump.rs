@@ -5,11 +5,12 @@ mod compare;
 mod explain;
 mod read;
 
-pub use read::{DumpError, DumpRow, RowReader};
+pub use read::{Dump, DumpError};
 
 use super::bench::{Bench, FileSpec, TestAt, locate, tests};
 use super::check::{CheckError, OpenSet, read_scene, source};
 use super::plan::Shard;
+use crate::format::Column;
 use std::path::Path;
 
 /// Why a dump cannot be compared.
@@ -90,6 +91,16 @@ impl Subject {
         super::plan::walk_tests(&*self.bench, self.shard, self.count)
     }
 
+    /// Bytes of a packed row.
+    fn stride(&self) -> usize {
+        self.spec.columns.iter().map(Column::bytes).sum()
+    }
+
+    /// Those of its key.
+    fn key_bytes(&self) -> usize {
+        self.spec.columns[..self.key()].iter().map(Column::bytes).sum()
+    }
+
     /// The test that a keyed row names.
     fn test(&self, number: u64) -> Option<TestAt> {
         (number < tests(self.bench.groups())).then(|| locate(self.bench.groups(), number)).flatten()
@@ -97,13 +108,7 @@ impl Subject {
 
     /// Leading columns that say where a row belongs; 0 when only the order says it.
     fn key(&self) -> usize {
-        match self.spec.stem.as_str() {
-            "span.exp" | "line.exp" | "point.exp" | "quad.exp" | "clip.exp" => 4,
-            "depth.exp" if self.spec.columns.len() == 5 => 4,
-            "depth.exp" | "mask.exp" | "quad-depth.exp" | "clip-depth.exp" => 3,
-            "triangle.exp" => 1,
-            _ => 0,
-        }
+        self.spec.key
     }
 }
 
@@ -120,17 +125,22 @@ pub fn compare(
     most: usize,
 ) -> Result<DumpReport, CompareError> {
     let subject = subject(set, dump, file)?;
-    let mut report = compare::against(&subject, dump, most)?;
+    // Read once, then judged: against the expectation, and where that fails against every suspect.
+    let rows = Dump::read(dump, &subject.spec.columns)?;
+    let mut report = compare::against(&subject, &rows, most);
+    if report.rows == 0 && report.expected_rows > 0 {
+        return Err(DumpError::Empty { path: dump.display().to_string() }.into());
+    }
     report.file = format!("{}.tv", subject.spec.stem);
     if report.disagrees {
-        let causes = explain::causes(&subject, dump, report.short)?;
+        let causes = explain::causes(&subject, &rows, report.short);
         (report.causes, report.tried, report.lost) = (causes.named, causes.tried, causes.lost);
     }
     Ok(report)
 }
 
 fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, CompareError> {
-    let (format, zstd) = super::check::format(&set.manifest);
+    let (format, zstd) = super::check::format(set)?;
     if format != super::table::RowFormat::Tv || zstd {
         return Err(CompareError::Format(set.manifest.format.clone()));
     }
@@ -140,7 +150,7 @@ fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, Co
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
     let mut known = Vec::new();
     for bench in source.benches() {
-        let specs = bench.files().to_vec();
+        let specs = bench.files();
         for (file, spec) in specs.into_iter().enumerate() {
             if !spec.stem.contains(".exp") {
                 continue;

@@ -1,8 +1,9 @@
 //! Drives a bench into an output, a buffer at a time: memory does not grow with the rows.
 
-use super::bench::{Bench, Coverage, FileSpec, TestAt};
+use super::bench::{Bench, Coverage, FileSpec, Run, TestAt};
 use super::plan::{Shard, walk_tests};
-use super::table::{RowFormat, Table};
+use super::table::{RowFormat, unpack};
+use crate::format::Column;
 
 /// Encoded bytes kept before they are handed on.
 const BUFFER: usize = 1 << 18;
@@ -32,11 +33,11 @@ pub fn files(bench: &dyn Bench, format: RowFormat) -> Vec<FileSpec> {
     if format == RowFormat::TestFloat {
         bench.operand_file().into_iter().collect()
     } else {
-        bench.files().to_vec()
+        bench.files()
     }
 }
 
-/// Emits the tests of a shard.
+/// Emits the tests of a shard as the reference model answers them.
 ///
 /// # Errors
 /// Whatever the output runs into.
@@ -47,39 +48,51 @@ pub fn emit(
     format: RowFormat,
     output: &mut dyn Output,
 ) -> std::io::Result<Emitted> {
-    let specs = files(bench, format);
-    let mut tables: Vec<Table> =
-        specs.iter().map(|spec| Table::new(format, &spec.columns)).collect();
+    run(bench, &mut *bench.reference(format), (shard, count), output)
+}
+
+/// Takes a device through the tests of a shard; `count` bounds the rows of a walk file.
+///
+/// # Errors
+/// Whatever the output runs into.
+pub fn run(
+    bench: &dyn Bench,
+    device: &mut dyn Run,
+    (shard, count): (Shard, u64),
+    output: &mut dyn Output,
+) -> std::io::Result<Emitted> {
     if shard.index > 0 {
         // A header belongs to the first part only: the parts joined are the file.
-        for table in &mut tables {
-            table.buffer.clear();
-        }
+        device.tables().into_iter().for_each(|table| table.buffer.clear());
     }
     let mut emitted = Emitted { groups: vec![(0, 0); bench.groups().len()], ..Emitted::default() };
     // Configuration files come first; the first expectation file counts the rows of a group.
-    let counted = usize::from(tables.len() > 1);
+    let counted = match device.tables().len() {
+        // The bench has no such form.
+        0 => return Ok(emitted),
+        tables => usize::from(tables > 1),
+    };
+    let mut before = 0;
     for (at, limit) in walk_tests(bench, shard, count) {
-        if tables.is_empty() {
-            break;
-        }
-        let before = tables[counted].rows;
-        bench.emit(at, limit, &mut tables, &mut emitted.coverage);
+        device.run(at, limit);
+        let rows = device.tables()[counted].rows;
         let group = &mut emitted.groups[at.group];
         group.0 += 1;
-        group.1 += tables[counted].rows - before;
-        if !flush(&mut tables, BUFFER, output)? {
+        group.1 += rows - before;
+        before = rows;
+        if !flush(device, BUFFER, output)? {
             break;
         }
     }
-    flush(&mut tables, 1, output)?;
-    emitted.rows = tables.iter().map(|table| table.rows).collect();
+    flush(device, 1, output)?;
+    emitted.rows = device.tables().iter().map(|table| table.rows).collect();
+    emitted.coverage = device.met().clone();
     Ok(emitted)
 }
 
 /// Hands on every buffer of at least `least` bytes.
-fn flush(tables: &mut [Table], least: usize, output: &mut dyn Output) -> std::io::Result<bool> {
-    for (file, table) in tables.iter_mut().enumerate() {
+fn flush(device: &mut dyn Run, least: usize, output: &mut dyn Output) -> std::io::Result<bool> {
+    for (file, table) in device.tables().into_iter().enumerate() {
         if table.buffer.len() >= least {
             let go_on = output.bytes(file, &table.buffer)?;
             table.buffer.clear();
@@ -91,11 +104,25 @@ fn flush(tables: &mut [Table], least: usize, output: &mut dyn Output) -> std::io
     Ok(true)
 }
 
+/// The lines of one test, file by file.
+pub fn test_lines(bench: &dyn Bench, at: TestAt, format: RowFormat) -> Vec<(FileSpec, String)> {
+    let mut device = bench.reference(format);
+    device.run(at, u64::MAX);
+    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+    let tables = device.tables().into_iter().map(|table| text(&table.buffer));
+    files(bench, format).into_iter().zip(tables).collect()
+}
+
 /// The rows of one test, file by file, as words.
 pub fn test_rows(bench: &dyn Bench, at: TestAt) -> Vec<(FileSpec, Vec<Vec<u128>>)> {
-    let specs = bench.files().to_vec();
-    let mut tables: Vec<Table> =
-        specs.iter().map(|spec| Table::new(RowFormat::Tv, &spec.columns)).collect();
-    bench.emit(at, u64::MAX, &mut tables, &mut Coverage::default());
-    specs.into_iter().zip(tables.iter_mut().map(Table::take_words)).collect()
+    let mut device = bench.reference(RowFormat::Bin);
+    device.run(at, u64::MAX);
+    let files = bench.files().into_iter().zip(device.tables());
+    let rows = files.map(|(spec, table)| {
+        let stride: usize = spec.columns.iter().map(Column::bytes).sum();
+        let rows = table.buffer.chunks_exact(stride).map(|row| unpack(row, &spec.columns));
+        let rows = rows.collect();
+        (spec, rows)
+    });
+    rows.collect()
 }

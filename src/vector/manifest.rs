@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 /// File name of the manifest.
 pub const NAME: &str = "manifest.json";
 
-/// The schema version of manifests.
-pub const SCHEMA: u32 = 1;
+/// The schema version of manifests: 2 since columns are named by [`crate::format::Role`].
+pub const SCHEMA: u32 = 2;
 
 /// Everything about a set; no time, host or path.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -117,11 +117,17 @@ impl Manifest {
     pub fn to_text(&self) -> String {
         let text = |digest: String| {
             let manifest = Self { digest, ..self.clone() };
-            // Structs of strings and integers serialise without fail.
-            serde_json::to_string_pretty(&manifest).unwrap_or_default() + "\n"
+            pretty(&manifest)
         };
         text(sha256(text(String::new()).as_bytes()))
     }
+}
+
+/// Indented JSON and a newline of a struct of strings and integers.
+pub(super) fn pretty(value: &impl Serialize) -> String {
+    let text = serde_json::to_string_pretty(value)
+        .unwrap_or_else(|error| unreachable!("strings and integers have a JSON form: {error}"));
+    text + "\n"
 }
 
 /// SHA-256 in lower-case hexadecimal.
@@ -135,6 +141,6 @@ pub fn hex_digest(hash: Sha256) -> String {
     for byte in hash.finalize() {
         crate::bits::push_hex_narrow(&mut text, u64::from(byte), 2);
     }
-    // Hexadecimal digits are ASCII.
-    String::from_utf8(text).unwrap_or_default()
+    String::from_utf8(text)
+        .unwrap_or_else(|error| unreachable!("hexadecimal digits are ASCII: {error}"))
 }

@@ -21,7 +21,7 @@ mod vhdl;
 mod test;
 
 use crate::bits::Rounding;
-use crate::format::Column;
+use crate::format::{Clamp, Column};
 pub use keyword::identifier;
 use record::Record;
 
@@ -38,7 +38,7 @@ pub struct FileLayout {
 
 /// The read-out of the depth machine: how an accumulator of `guard + integer + fraction` bits
 /// becomes an output of `integer` bits.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ClampParameters {
     /// Guard bits above the integer bits.
     pub guard: u32,
@@ -46,9 +46,9 @@ pub struct ClampParameters {
     pub integer: u32,
     /// Interpolation bits below the binary point.
     pub fraction: u32,
-    /// `wrap`, `guard`, `sign`, `saturate` or `error`. Anything else is generated as `error`,
-    /// whose read-out is that of `wrap`.
-    pub mode: String,
+    /// What is read outside the range. A device cannot refuse a primitive: under `error` it reads
+    /// out as under `guard`.
+    pub mode: Clamp,
 }
 
 /// Set-up by edge functions and an exact quotient, as `triangle_setup` does it.

@@ -21,6 +21,9 @@ pub enum RowFormat {
 }
 
 impl RowFormat {
+    /// Every form.
+    pub const ALL: [Self; 5] = [Self::Tv, Self::Bin, Self::Csv, Self::Jsonl, Self::TestFloat];
+
     /// The file name's last part.
     pub const fn extension(self) -> &'static str {
         match self {
@@ -64,9 +67,12 @@ impl Table {
     }
 
     /// Appends a row of words; what lies above a column's width is dropped.
+    ///
+    /// # Panics
+    /// If there is not one word a column.
     #[inline]
     pub fn push(&mut self, words: &[i128]) {
-        debug_assert_eq!(words.len(), self.digits.len(), "one word a column");
+        assert_eq!(words.len(), self.digits.len(), "one word a column");
         self.rows += 1;
         if self.format != RowFormat::Tv {
             self.push_other(words);
@@ -112,29 +118,6 @@ impl Table {
         }
     }
 
-    /// The buffered rows of the golden form as words, and an empty buffer.
-    pub fn take_words(&mut self) -> Vec<Vec<u128>> {
-        let width = self.digits.iter().map(|digits| digits + 1).sum::<usize>().max(1);
-        let rows = self.buffer.chunks_exact(width).map(|row| self.words(row)).collect();
-        self.buffer.clear();
-        rows
-    }
-
-    fn words(&self, row: &[u8]) -> Vec<u128> {
-        let mut rest = row;
-        self.digits
-            .iter()
-            .map(|digits| {
-                let (field, later) = rest.split_at(*digits);
-                rest = &later[1..];
-                field.iter().fold(0, |word, digit| {
-                    let digit = char::from(*digit).to_digit(16).unwrap_or(0);
-                    word << 4 | u128::from(digit)
-                })
-            })
-            .collect()
-    }
-
     fn push_other(&mut self, words: &[i128]) {
         let mut text = String::new();
         for (n, word) in words.iter().enumerate() {
@@ -144,8 +127,7 @@ impl Table {
             let _ = match self.format {
                 RowFormat::Bin => {
                     let bytes = bits.to_be_bytes();
-                    let width = (self.columns[n].width as usize).div_ceil(8);
-                    self.buffer.extend_from_slice(&bytes[16 - width..]);
+                    self.buffer.extend_from_slice(&bytes[16 - self.columns[n].bytes()..]);
                     continue;
                 }
                 RowFormat::Jsonl => {
@@ -165,4 +147,15 @@ impl Table {
             self.buffer.extend_from_slice(text.as_bytes());
         }
     }
+}
+
+/// The words of a row of the form `bin`.
+pub(super) fn unpack(bytes: &[u8], columns: &[Column]) -> Vec<u128> {
+    let mut rest = bytes;
+    let word = |column: &Column| {
+        let (mine, later) = rest.split_at(column.bytes());
+        rest = later;
+        mine.iter().fold(0, |word, byte| word << 8 | u128::from(*byte))
+    };
+    columns.iter().map(word).collect()
 }

@@ -20,7 +20,7 @@ use std::fs::File;
 use std::io::{Error, ErrorKind, Result, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// File name of the index of a folder of sets.
 pub const INDEX: &str = "sets.json";
@@ -95,7 +95,7 @@ impl SetIndex {
     pub fn to_text(&self) -> String {
         let text = |digest: String| {
             let index = Self { digest, ..self.clone() };
-            serde_json::to_string_pretty(&index).unwrap_or_default() + "\n"
+            manifest::pretty(&index)
         };
         text(sha256(text(String::new()).as_bytes()))
     }
@@ -123,6 +123,9 @@ pub fn write(
     result
 }
 
+/// Numbers of a set and of a bench in it.
+type Job = (usize, usize);
+
 /// What one bench of one set became.
 type Part = (Vec<FileEntry>, Emitted);
 
@@ -144,37 +147,33 @@ fn build(
         requests.iter().map(|request| source(request, options).benches()).collect();
     // Long streams first; each is one job, so the bytes do not depend on the number of threads.
     let longest = benches.iter().map(Vec::len).max().unwrap_or(0);
-    let jobs: Vec<(usize, usize)> = (0..longest)
+    let jobs: Vec<Job> = (0..longest)
         .flat_map(|bench| (0..benches.len()).map(move |set| (set, bench)))
         .filter(|&(set, bench)| bench < benches[set].len())
         .collect();
     let next = AtomicUsize::new(0);
-    let parts: Vec<Mutex<Option<Result<Part>>>> = jobs.iter().map(|_| Mutex::new(None)).collect();
+    let made: Mutex<Vec<(Job, Result<Part>)>> = Mutex::default();
     std::thread::scope(|scope| {
         for _ in 0..options.threads.clamp(1, jobs.len().max(1)) {
             scope.spawn(|| {
                 while let Some(&(set, bench)) = jobs.get(next.fetch_add(1, Ordering::Relaxed)) {
                     let part = write_bench(&*benches[set][bench], &folders[set], options, monitor);
-                    let slot = jobs.iter().position(|job| *job == (set, bench));
-                    if let Some(mut slot) = slot.and_then(|slot| parts[slot].lock().ok()) {
-                        *slot = Some(part);
-                    }
+                    made.lock().unwrap_or_else(PoisonError::into_inner).push(((set, bench), part));
                 }
             });
         }
     });
-    let mut by_set: Vec<Vec<Option<Part>>> =
-        benches.iter().map(|list| list.iter().map(|_| None).collect()).collect();
-    for (&(set, bench), part) in jobs.iter().zip(parts) {
-        let part = part.into_inner().ok().flatten();
-        by_set[set][bench] = Some(part.unwrap_or_else(|| Err(Error::other("a worker failed")))?);
-    }
+    // The scope has joined every worker: each job has its part, in whatever order they came.
+    let mut made = made.into_inner().unwrap_or_else(PoisonError::into_inner);
+    made.sort_by_key(|(job, _)| *job);
+    let mut parts = made.into_iter().map(|(_, part)| part);
     let mut manifests = Vec::new();
-    for (((request, folder), list), parts) in
-        requests.iter().zip(&folders).zip(&benches).zip(by_set)
-    {
-        let parts = parts.into_iter().flatten().collect();
-        manifests.push(finish(request, folder, list, parts, options)?);
+    for ((request, folder), list) in requests.iter().zip(&folders).zip(&benches) {
+        let mine: Vec<Part> = parts.by_ref().take(list.len()).collect::<Result<_>>()?;
+        if mine.len() != list.len() {
+            unreachable!("the scope has joined every worker: {} of {}", mine.len(), list.len());
+        }
+        manifests.push(finish(request, folder, list, mine, options)?);
     }
     if nested {
         let sets = manifests

@@ -14,7 +14,7 @@ struct Lemma {
 }
 
 fn source(path: &str) -> String {
-    let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl").join(path);
+    let here = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
     std::fs::read_to_string(here).unwrap()
 }
 
@@ -22,13 +22,13 @@ impl Lemma {
     /// Writes the lemma as an SMT-LIB problem, with an edit of the device's text.
     fn problem(&self, edit: Option<(&str, &str)>) -> TempDir {
         let home = tempfile::tempdir().unwrap();
-        let mut device = source(&format!("rtl/{}.sv", self.module));
+        let mut device = source(&format!("hdl/{}.sv", self.module));
         if let Some((old, new)) = edit {
             assert_eq!(device.matches(old).count(), 1, "{old}");
             device = device.replace(old, new);
         }
         std::fs::write(home.path().join("device.sv"), device).unwrap();
-        let lemma = source(&format!("formal/{}.sv", self.name));
+        let lemma = source(&format!("tests/hdl/formal/{}.sv", self.name));
         std::fs::write(home.path().join("lemma.sv"), lemma).unwrap();
         let set = match self.parameters {
             "" => String::new(),

@@ -98,7 +98,7 @@ pub(crate) fn lines_up(_: &str) {
     }
     // Streams keep their own time: the words of a record stand together when it is answered, and those of
     // samples come in the trace's order.
-    for (bench, key) in [("setup", "e0"), ("triangle", "z")] {
+    for (bench, key) in [("setup", "edge0_init"), ("triangle", "depth")] {
         let (theirs, ours) = both(bench, bench);
         assert!(ours.len() >= 12 && ours.contains_key(key), "{ours:?}");
         for (name, (width, words)) in ours.iter().filter(|(name, _)| *name != "clk") {

@@ -1,5 +1,6 @@
 //! A device written from the spec in plain `i128`, with at most one defect. It shares no code with
-//! the model, reads what a device would read, and answers what a device would answer.
+//! the model, reads what a device would read, and answers what a device would answer: by hand, or as a
+//! `Device` at a bench.
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
 use guardbit::bits::Rounding;
@@ -8,6 +9,11 @@ use guardbit::format::Clamp;
 use guardbit::profile::{Form, Profile};
 use guardbit::setup::{Division, Triangle};
 use guardbit::value::StartBias;
+use guardbit::vector::bench::{
+    Coverage, SetupTest, Single, TriangleAnswers, TriangleTest, WalkTest,
+};
+use guardbit::vector::device::Device;
+use guardbit::vector::table::Table;
 
 /// The signed value of the low bits of `word`.
 pub(crate) fn extend(word: i128, width: u32) -> i128 {
@@ -380,6 +386,53 @@ impl Drawer {
                 let depths = (x0..x1).map(|x| [x, row, self.reader.read(at(9, x, y))]);
                 drawn.depths.extend(depths);
             }
+        }
+    }
+}
+
+/// A stepper from its reset on, walk after walk.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Clocked {
+    stepper: Stepper,
+    before: [i128; 2],
+}
+
+impl Clocked {
+    pub(crate) fn new(stepper: Stepper) -> Self {
+        Self { stepper, before: stepper.reset() }
+    }
+}
+
+impl Device<WalkTest> for Clocked {
+    fn answer(&mut self, test: &WalkTest, rows: &mut Single<Table>, _: &mut Coverage) {
+        let port = (1i128 << self.stepper.port) - 1;
+        let words =
+            [test.walk.init, test.walk.dx, test.walk.dy].map(|w| (w & port).cast_unsigned());
+        let ops: Vec<u128> = (0..test.rows).map(|n| test.walk.op(n) as u128).collect();
+        for row in self.stepper.walk_on(&mut self.before, &words, &ops) {
+            rows.exp.push(&row.map(u128::cast_signed));
+        }
+    }
+}
+
+impl Device<SetupTest> for Drawer {
+    fn answer(&mut self, test: &SetupTest, rows: &mut Single<Table>, _: &mut Coverage) {
+        let drawn = self.set_up(&test.triangle);
+        rows.exp.push(&[&drawn.setup[..], &[i128::from(drawn.zero_area)]].concat());
+    }
+}
+
+impl Device<TriangleTest> for Drawer {
+    /// Runs and depths; it counts nothing.
+    fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
+        let drawn = self.draw(&test.triangle);
+        let number = i128::from(test.test);
+        for [y, x0, x1] in drawn.spans {
+            rows.spans.push(&[number, y, x0, x1]);
+        }
+        let depths = rows.depths.as_mut().expect("a set with depth");
+        for [x, y, z] in drawn.depths {
+            depths.push(&[number, y, x, z]);
         }
     }
 }

@@ -103,9 +103,14 @@ pub(crate) fn source(profile: &Profile, scene: &str, count: u64) -> Source {
 
 /// Writes the set of a profile and a built-in scene.
 pub(crate) fn write_set(profile: &Profile, scene: &str, options: &Options) -> Set {
+    write_request(request(profile, scene), options)
+}
+
+/// Writes the set that is asked for.
+pub(crate) fn write_request(request: SetRequest, options: &Options) -> Set {
     let keep = tempfile::tempdir().unwrap();
     let out = keep.path().join("set");
-    let requests = [request(profile, scene)];
+    let requests = [request];
     let manifests = write::write(&requests, &out, false, options, &Monitor::default()).unwrap();
     Set { keep, manifest: manifests.into_iter().next().unwrap() }
 }

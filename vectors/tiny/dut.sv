@@ -86,9 +86,7 @@ endmodule
 module setup_divider #(
     parameter int NW = 100,              // bits of the numerator and of the quotient, signed
     parameter int DW = 50,               // bits of the divisor, unsigned, at least 1
-    // 0 floor, 1 ceiling, 2 toward zero, 3 away from zero; nearest, ties: 4 even, 5 up, 6 down,
-    // 7 away from zero, 8 toward zero; 9 to odd if inexact
-    parameter int ROUNDING = 4,
+    parameter int ROUNDING = 4,          // one of the codes below
     parameter int SERIAL = 1             // 1 a quotient bit a clock, 0 a whole quotient
 ) (
     input  logic          clk,
@@ -99,6 +97,11 @@ module setup_divider #(
     output logic          busy,
     output logic [NW-1:0] quotient       // valid when not busy
 );
+    localparam int FLOOR = 0, CEILING = 1, TOWARD_ZERO = 2, AWAY_FROM_ZERO = 3;
+    // To the nearest; a tie goes where the name says.
+    localparam int NEAREST_EVEN = 4, NEAREST_UP = 5, NEAREST_DOWN = 6;
+    localparam int NEAREST_AWAY = 7, NEAREST_TOWARD_ZERO = 8;
+    localparam int ODD = 9;              // to the odd neighbour if inexact
     localparam int W = NW > DW ? NW : DW;
     // Magnitudes are divided: |n| = q d + r. The sign says what rounding does to q.
     logic [NW-1:0] q;                    // numerator shifting out, quotient shifting in
@@ -150,16 +153,17 @@ module setup_divider #(
     logic up;                            // one more of magnitude
     always_comb
         case (ROUNDING)
-            0: up = inexact && negative;
-            1: up = inexact && !negative;
-            2: up = 1'b0;
-            3: up = inexact;
-            4: up = over || (tie && is_odd);
-            5: up = over || (tie && !negative);
-            6: up = over || (tie && negative);
-            7: up = over || tie;
-            8: up = over;
-            default: up = inexact && !is_odd;
+            FLOOR: up = inexact && negative;
+            CEILING: up = inexact && !negative;
+            TOWARD_ZERO: up = 1'b0;
+            AWAY_FROM_ZERO: up = inexact;
+            NEAREST_EVEN: up = over || (tie && is_odd);
+            NEAREST_UP: up = over || (tie && !negative);
+            NEAREST_DOWN: up = over || (tie && negative);
+            NEAREST_AWAY: up = over || tie;
+            NEAREST_TOWARD_ZERO: up = over;
+            ODD: up = inexact && !is_odd;
+            default: up = 1'b0;
         endcase
     wire [NW-1:0] rounded = whole + {{(NW-1){1'b0}}, up};
     assign quotient = negative ? -rounded : rounded;
@@ -187,12 +191,14 @@ module triangle_setup #(
     input  logic             rst,
     input  logic             in_valid,
     output logic             in_ready,
-    input  logic [VW-1:0]    x0, y0, x1, y1, x2, y2,
-    input  logic [I-1:0]     z0, z1, z2,
+    input  logic [VW-1:0]    v0_x, v0_y, v1_x, v1_y, v2_x, v2_y,
+    input  logic [I-1:0]     v0_z, v1_z, v2_z,
     output logic             out_valid,
     input  logic             out_ready,
-    output logic [M-1:0]     o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2,
-    output logic [G+I+F-1:0] o_z, o_dzdx, o_dzdy,
+    output logic [M-1:0]     o_edge0_init, o_edge0_dx, o_edge0_dy,
+    output logic [M-1:0]     o_edge1_init, o_edge1_dx, o_edge1_dy,
+    output logic [M-1:0]     o_edge2_init, o_edge2_dx, o_edge2_dy,
+    output logic [G+I+F-1:0] o_depth_init, o_depth_dx, o_depth_dy,
     output logic             o_zero_area
 );
     localparam int N = G + I + F;
@@ -256,7 +262,7 @@ module triangle_setup #(
     wire signed [Q-1:0] gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
     /* verilator lint_off UNUSED */
     wire [ZW-1:0] start;
-    wire [SW-1:0] dzdx, dzdy;
+    wire [SW-1:0] depth_dx, depth_dy;
     /* verilator lint_on UNUSED */
     wire [2:0] busy;
     wire go = held && !going;
@@ -264,10 +270,10 @@ module triangle_setup #(
         .clk(clk), .rst(rst), .start(go), .numerator(ZW'(gz) << F), .divisor(area), .busy(busy[0]), .quotient(start)
     );
     setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_x (
-        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(dzdx)
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gx) << (S + F)), .divisor(area), .busy(busy[1]), .quotient(depth_dx)
     );
     setup_divider #(.NW(SW), .DW(P), .ROUNDING(ROUNDING), .SERIAL(SERIAL)) divide_y (
-        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(dzdy)
+        .clk(clk), .rst(rst), .start(go), .numerator(SW'(gy) << (S + F)), .divisor(area), .busy(busy[2]), .quotient(depth_dy)
     );
 
     assign in_ready = !held;
@@ -280,15 +286,15 @@ module triangle_setup #(
         else if (!held) begin
             if (in_valid) begin
                 held <= 1'b1;
-                x[0] <= coordinate(x0);
-                y[0] <= coordinate(y0);
-                z[0] <= {1'b0, z0};
-                x[1] <= coordinate(x1);
-                y[1] <= coordinate(y1);
-                z[1] <= {1'b0, z1};
-                x[2] <= coordinate(x2);
-                y[2] <= coordinate(y2);
-                z[2] <= {1'b0, z2};
+                x[0] <= coordinate(v0_x);
+                y[0] <= coordinate(v0_y);
+                z[0] <= {1'b0, v0_z};
+                x[1] <= coordinate(v1_x);
+                y[1] <= coordinate(v1_y);
+                z[1] <= {1'b0, v1_z};
+                x[2] <= coordinate(v2_x);
+                y[2] <= coordinate(v2_y);
+                z[2] <= {1'b0, v2_z};
             end
         end
         else if (!going)
@@ -302,18 +308,18 @@ module triangle_setup #(
     localparam logic [N-1:0] BIAS = HALF != 0 && F > 0 ? {{(N-1){1'b0}}, 1'b1} << (F - 1) : {N{1'b0}};
     wire [M-1:0] live = {M{!zero_area}};
     wire [N-1:0] alive = {N{!zero_area}};
-    assign o_e0 = e0[SHIFT+M-1:SHIFT] & live;
-    assign o_a0 = step(ya, yb) & live;
-    assign o_b0 = step(xb, xa) & live;
-    assign o_e1 = e1[SHIFT+M-1:SHIFT] & live;
-    assign o_a1 = step(yb, yc) & live;
-    assign o_b1 = step(xc, xb) & live;
-    assign o_e2 = e2[SHIFT+M-1:SHIFT] & live;
-    assign o_a2 = step(yc, ya) & live;
-    assign o_b2 = step(xa, xc) & live;
-    assign o_z = (start[N-1:0] + BIAS) & alive;
-    assign o_dzdx = dzdx[N-1:0] & alive;
-    assign o_dzdy = dzdy[N-1:0] & alive;
+    assign o_edge0_init = e0[SHIFT+M-1:SHIFT] & live;
+    assign o_edge0_dx = step(ya, yb) & live;
+    assign o_edge0_dy = step(xb, xa) & live;
+    assign o_edge1_init = e1[SHIFT+M-1:SHIFT] & live;
+    assign o_edge1_dx = step(yb, yc) & live;
+    assign o_edge1_dy = step(xc, xb) & live;
+    assign o_edge2_init = e2[SHIFT+M-1:SHIFT] & live;
+    assign o_edge2_dx = step(yc, ya) & live;
+    assign o_edge2_dy = step(xa, xc) & live;
+    assign o_depth_init = (start[N-1:0] + BIAS) & alive;
+    assign o_depth_dx = depth_dx[N-1:0] & alive;
+    assign o_depth_dy = depth_dy[N-1:0] & alive;
     assign o_zero_area = zero_area;
 endmodule
 
@@ -326,32 +332,32 @@ module edge_evaluator #(
     input  logic         clk,
     input  logic         rst,
     input  logic [1:0]   op,             // 0 to the corner, 1 next sample, 2 next row, 3 hold
-    input  logic [C-1:0] x0,             // corner of the box
-    input  logic [C-1:0] y0,
-    input  logic [M-1:0] e0,             // word at pixel (0, 0)
-    input  logic [M-1:0] ea,
-    input  logic [M-1:0] eb,
+    input  logic [C-1:0] box_y_begin,    // corner of the box
+    input  logic [C-1:0] box_x_begin,
+    input  logic [M-1:0] edge_init,      // word at pixel (0, 0)
+    input  logic [M-1:0] edge_dx,
+    input  logic [M-1:0] edge_dy,
     output logic         in_v            // at the sample that op has reached
 );
     localparam logic [1:0] CORNER = 2'd0, SAMPLE = 2'd1, ROW = 2'd2, HOLD = 2'd3;
     localparam logic [1:0] LOAD = 2'd0, STEP_X = 2'd1, STEP_Y = 2'd2;
     localparam int W = M + C;
     /* verilator lint_off UNUSED */
-    wire [W-1:0] across = {{C{1'b0}}, ea} * {{M{1'b0}}, x0};
-    wire [W-1:0] down = {{C{1'b0}}, eb} * {{M{1'b0}}, y0};
+    wire [W-1:0] across = {{C{1'b0}}, edge_dx} * {{M{1'b0}}, box_x_begin};
+    wire [W-1:0] down = {{C{1'b0}}, edge_dy} * {{M{1'b0}}, box_y_begin};
     wire [M-1:0] left;
     wire left_in;
     wire [M-1:0] e;
     /* verilator lint_on UNUSED */
-    wire [M-1:0] corner = e0 + across[M-1:0] + down[M-1:0];
+    wire [M-1:0] corner = edge_init + across[M-1:0] + down[M-1:0];
 
     edge_stepper #(.M(M)) side (
         .clk(clk), .rst(rst), .op(op == CORNER ? LOAD : op == ROW ? STEP_Y : HOLD),
-        .e0(corner), .ea(ea), .eb(eb), .e(left), .in_v(left_in)
+        .e0(corner), .ea(edge_dx), .eb(edge_dy), .e(left), .in_v(left_in)
     );
     edge_stepper #(.M(M)) run (
         .clk(clk), .rst(rst), .op(op == SAMPLE ? STEP_X : op == HOLD ? HOLD : LOAD),
-        .e0(op == CORNER ? corner : left + eb), .ea(ea), .eb(eb), .e(e), .in_v(in_v)
+        .e0(op == CORNER ? corner : left + edge_dy), .ea(edge_dx), .eb(edge_dy), .e(e), .in_v(in_v)
     );
 endmodule
 
@@ -368,11 +374,11 @@ module depth_evaluator #(
     input  logic             clk,
     input  logic             rst,
     input  logic [1:0]       op,         // 0 to the corner, 1 next sample, 2 next row, 3 hold
-    input  logic [C-1:0]     x0,         // corner of the box
-    input  logic [C-1:0]     y0,
-    input  logic [G+I+F-1:0] z,          // word at pixel (0, 0)
-    input  logic [G+I+F-1:0] dzdx,
-    input  logic [G+I+F-1:0] dzdy,
+    input  logic [C-1:0]     box_y_begin, // corner of the box
+    input  logic [C-1:0]     box_x_begin,
+    input  logic [G+I+F-1:0] depth_init, // word at pixel (0, 0)
+    input  logic [G+I+F-1:0] depth_dx,
+    input  logic [G+I+F-1:0] depth_dy,
     output logic [I-1:0]     depth       // at the sample that op has reached
 );
     localparam logic [1:0] CORNER = 2'd0, SAMPLE = 2'd1, ROW = 2'd2, HOLD = 2'd3;
@@ -380,21 +386,21 @@ module depth_evaluator #(
     localparam int N = G + I + F;
     localparam int W = N + C;
     /* verilator lint_off UNUSED */
-    wire [W-1:0] across = {{C{1'b0}}, dzdx} * {{N{1'b0}}, x0};
-    wire [W-1:0] down = {{C{1'b0}}, dzdy} * {{N{1'b0}}, y0};
+    wire [W-1:0] across = {{C{1'b0}}, depth_dx} * {{N{1'b0}}, box_x_begin};
+    wire [W-1:0] down = {{C{1'b0}}, depth_dy} * {{N{1'b0}}, box_y_begin};
     wire [N-1:0] left;
     wire [I-1:0] left_out;
     wire [N-1:0] acc;
     /* verilator lint_on UNUSED */
-    wire [N-1:0] corner = z + across[N-1:0] + down[N-1:0];
+    wire [N-1:0] corner = depth_init + across[N-1:0] + down[N-1:0];
 
     dda #(.G(G), .I(I), .F(F), .MODE(MODE)) side (
         .clk(clk), .rst(rst), .op(op == CORNER ? LOAD : op == ROW ? STEP_Y : HOLD),
-        .init(corner), .dx(dzdx), .dy(dzdy), .acc(left), .out_v(left_out)
+        .init(corner), .dx(depth_dx), .dy(depth_dy), .acc(left), .out_v(left_out)
     );
     dda #(.G(G), .I(I), .F(F), .MODE(MODE)) run (
         .clk(clk), .rst(rst), .op(op == SAMPLE ? STEP_X : op == HOLD ? HOLD : LOAD),
-        .init(op == CORNER ? corner : left + dzdy), .dx(dzdx), .dy(dzdy), .acc(acc), .out_v(depth)
+        .init(op == CORNER ? corner : left + depth_dy), .dx(depth_dx), .dy(depth_dy), .acc(acc), .out_v(depth)
     );
 endmodule
 
@@ -414,21 +420,23 @@ module triangle_engine #(
     input  logic             in_valid,
     output logic             in_ready,
     input  logic [31:0]      test,
-    input  logic [M-1:0]     e0, a0, b0, e1, a1, b1, e2, a2, b2,
-    input  logic [G+I+F-1:0] z, dzdx, dzdy,
+    input  logic [M-1:0]     edge0_init, edge0_dx, edge0_dy,
+    input  logic [M-1:0]     edge1_init, edge1_dx, edge1_dy,
+    input  logic [M-1:0]     edge2_init, edge2_dx, edge2_dy,
+    input  logic [G+I+F-1:0] depth_init, depth_dx, depth_dy,
     input  logic             zero_area,
-    input  logic [C-1:0]     x0, y0, x1, y1,   // the box, half open
+    input  logic [C-1:0]     box_y_begin, box_y_end, box_x_begin, box_x_end,   // half open
     // Maximal runs of covered samples, half open, in the order of y then x.
     output logic             span_valid,
     input  logic             span_ready,
     output logic [31:0]      span_test,
-    output logic [C-1:0]     span_y, span_x0, span_x1,
+    output logic [C-1:0]     span_y, span_x_begin, span_x_end,
     // Covered samples.
-    output logic             depth_valid,
-    input  logic             depth_ready,
-    output logic [31:0]      depth_test,
-    output logic [C-1:0]     depth_x, depth_y,
-    output logic [I-1:0]     depth_z,
+    output logic             sample_valid,
+    input  logic             sample_ready,
+    output logic [31:0]      sample_test,
+    output logic [C-1:0]     sample_y, sample_x,
+    output logic [I-1:0]     sample_depth,
     // One a triangle, when the rest of it has been taken.
     output logic             triangle_valid,
     input  logic             triangle_ready,
@@ -453,15 +461,15 @@ module triangle_engine #(
 
     wire [2:0] covers;
     logic [1:0] op;
-    edge_evaluator #(.M(M), .C(C)) edge_0 (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .e0(e[0]), .ea(a[0]), .eb(b[0]), .in_v(covers[0]));
-    edge_evaluator #(.M(M), .C(C)) edge_1 (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .e0(e[1]), .ea(a[1]), .eb(b[1]), .in_v(covers[1]));
-    edge_evaluator #(.M(M), .C(C)) edge_2 (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .e0(e[2]), .ea(a[2]), .eb(b[2]), .in_v(covers[2]));
-    depth_evaluator #(.G(G), .I(I), .F(F), .MODE(MODE), .C(C)) plane (.clk(clk), .rst(rst), .op(op), .x0(left), .y0(y), .z(start), .dzdx(slope_x), .dzdy(slope_y), .depth(depth_z));
+    edge_evaluator #(.M(M), .C(C)) edge_0 (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .edge_init(e[0]), .edge_dx(a[0]), .edge_dy(b[0]), .in_v(covers[0]));
+    edge_evaluator #(.M(M), .C(C)) edge_1 (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .edge_init(e[1]), .edge_dx(a[1]), .edge_dy(b[1]), .in_v(covers[1]));
+    edge_evaluator #(.M(M), .C(C)) edge_2 (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .edge_init(e[2]), .edge_dx(a[2]), .edge_dy(b[2]), .in_v(covers[2]));
+    depth_evaluator #(.G(G), .I(I), .F(F), .MODE(MODE), .C(C)) plane (.clk(clk), .rst(rst), .op(op), .box_y_begin(y), .box_x_begin(left), .depth_init(start), .depth_dx(slope_x), .depth_dy(slope_y), .depth(sample_depth));
 
     wire at_end = x == right;
     wire covered = state == RUN && !at_end && covers == 3'b111;
     wire closes = state == RUN && in_run && !covered;
-    wire stalled = (covered && !depth_ready) || (closes && !span_ready);
+    wire stalled = (covered && !sample_ready) || (closes && !span_ready);
     wire moves = state == RUN && !stalled;
     wire last_row = y + 1'b1 >= bottom;
 
@@ -476,12 +484,12 @@ module triangle_engine #(
     assign span_valid = closes;
     assign span_test = name;
     assign span_y = y;
-    assign span_x0 = first;
-    assign span_x1 = x;
-    assign depth_valid = covered;
-    assign depth_test = name;
-    assign depth_x = x;
-    assign depth_y = y;
+    assign span_x_begin = first;
+    assign span_x_end = x;
+    assign sample_valid = covered;
+    assign sample_test = name;
+    assign sample_y = y;
+    assign sample_x = x;
     assign triangle_valid = state == DONE;
     assign triangle_test = name;
     assign triangle_spans = spans;
@@ -498,24 +506,24 @@ module triangle_engine #(
                 IDLE:
                     if (in_valid) begin
                         name <= test;
-                        e[0] <= e0;
-                        a[0] <= a0;
-                        b[0] <= b0;
-                        e[1] <= e1;
-                        a[1] <= a1;
-                        b[1] <= b1;
-                        e[2] <= e2;
-                        a[2] <= a2;
-                        b[2] <= b2;
-                        start <= z;
-                        slope_x <= dzdx;
-                        slope_y <= dzdy;
+                        e[0] <= edge0_init;
+                        a[0] <= edge0_dx;
+                        b[0] <= edge0_dy;
+                        e[1] <= edge1_init;
+                        a[1] <= edge1_dx;
+                        b[1] <= edge1_dy;
+                        e[2] <= edge2_init;
+                        a[2] <= edge2_dx;
+                        b[2] <= edge2_dy;
+                        start <= depth_init;
+                        slope_x <= depth_dx;
+                        slope_y <= depth_dy;
                         nothing <= zero_area;
-                        left <= x0;
-                        right <= x1;
-                        bottom <= y1;
-                        x <= x0;
-                        y <= y0;
+                        left <= box_x_begin;
+                        right <= box_x_end;
+                        bottom <= box_y_end;
+                        x <= box_x_begin;
+                        y <= box_y_begin;
                         spans <= 0;
                         samples <= 0;
                         in_run <= 1'b0;

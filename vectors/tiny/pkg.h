@@ -212,84 +212,84 @@ static inline int guardbit_edge_exp_parse(const char *line, struct guardbit_edge
 #define GUARDBIT_SETUP_CFG_ROWS UINT64_C(200)
 #define GUARDBIT_SETUP_CFG_LINE 18
 #define GUARDBIT_SETUP_CFG_BITS 36
-/* x0: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels. */
-#define GUARDBIT_SETUP_CFG_X0_WIDTH 4
-#define GUARDBIT_SETUP_CFG_X0_FRACTION 1
-#define GUARDBIT_SETUP_CFG_X0_SIGNED 0
-/* y0: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels. */
-#define GUARDBIT_SETUP_CFG_Y0_WIDTH 4
-#define GUARDBIT_SETUP_CFG_Y0_FRACTION 1
-#define GUARDBIT_SETUP_CFG_Y0_SIGNED 0
-/* z0: unsigned, width 3, fraction bits 0. Vertex 0, depth code. */
-#define GUARDBIT_SETUP_CFG_Z0_WIDTH 3
-#define GUARDBIT_SETUP_CFG_Z0_FRACTION 0
-#define GUARDBIT_SETUP_CFG_Z0_SIGNED 0
-/* x1: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels. */
-#define GUARDBIT_SETUP_CFG_X1_WIDTH 4
-#define GUARDBIT_SETUP_CFG_X1_FRACTION 1
-#define GUARDBIT_SETUP_CFG_X1_SIGNED 0
-/* y1: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels. */
-#define GUARDBIT_SETUP_CFG_Y1_WIDTH 4
-#define GUARDBIT_SETUP_CFG_Y1_FRACTION 1
-#define GUARDBIT_SETUP_CFG_Y1_SIGNED 0
-/* z1: unsigned, width 3, fraction bits 0. Vertex 1, depth code. */
-#define GUARDBIT_SETUP_CFG_Z1_WIDTH 3
-#define GUARDBIT_SETUP_CFG_Z1_FRACTION 0
-#define GUARDBIT_SETUP_CFG_Z1_SIGNED 0
-/* x2: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels. */
-#define GUARDBIT_SETUP_CFG_X2_WIDTH 4
-#define GUARDBIT_SETUP_CFG_X2_FRACTION 1
-#define GUARDBIT_SETUP_CFG_X2_SIGNED 0
-/* y2: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels. */
-#define GUARDBIT_SETUP_CFG_Y2_WIDTH 4
-#define GUARDBIT_SETUP_CFG_Y2_FRACTION 1
-#define GUARDBIT_SETUP_CFG_Y2_SIGNED 0
-/* z2: unsigned, width 3, fraction bits 0. Vertex 2, depth code. */
-#define GUARDBIT_SETUP_CFG_Z2_WIDTH 3
-#define GUARDBIT_SETUP_CFG_Z2_FRACTION 0
-#define GUARDBIT_SETUP_CFG_Z2_SIGNED 0
+/* v0_x: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels. */
+#define GUARDBIT_SETUP_CFG_V0_X_WIDTH 4
+#define GUARDBIT_SETUP_CFG_V0_X_FRACTION 1
+#define GUARDBIT_SETUP_CFG_V0_X_SIGNED 0
+/* v0_y: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels. */
+#define GUARDBIT_SETUP_CFG_V0_Y_WIDTH 4
+#define GUARDBIT_SETUP_CFG_V0_Y_FRACTION 1
+#define GUARDBIT_SETUP_CFG_V0_Y_SIGNED 0
+/* v0_z: unsigned, width 3, fraction bits 0. Vertex 0, depth code. */
+#define GUARDBIT_SETUP_CFG_V0_Z_WIDTH 3
+#define GUARDBIT_SETUP_CFG_V0_Z_FRACTION 0
+#define GUARDBIT_SETUP_CFG_V0_Z_SIGNED 0
+/* v1_x: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels. */
+#define GUARDBIT_SETUP_CFG_V1_X_WIDTH 4
+#define GUARDBIT_SETUP_CFG_V1_X_FRACTION 1
+#define GUARDBIT_SETUP_CFG_V1_X_SIGNED 0
+/* v1_y: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels. */
+#define GUARDBIT_SETUP_CFG_V1_Y_WIDTH 4
+#define GUARDBIT_SETUP_CFG_V1_Y_FRACTION 1
+#define GUARDBIT_SETUP_CFG_V1_Y_SIGNED 0
+/* v1_z: unsigned, width 3, fraction bits 0. Vertex 1, depth code. */
+#define GUARDBIT_SETUP_CFG_V1_Z_WIDTH 3
+#define GUARDBIT_SETUP_CFG_V1_Z_FRACTION 0
+#define GUARDBIT_SETUP_CFG_V1_Z_SIGNED 0
+/* v2_x: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels. */
+#define GUARDBIT_SETUP_CFG_V2_X_WIDTH 4
+#define GUARDBIT_SETUP_CFG_V2_X_FRACTION 1
+#define GUARDBIT_SETUP_CFG_V2_X_SIGNED 0
+/* v2_y: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels. */
+#define GUARDBIT_SETUP_CFG_V2_Y_WIDTH 4
+#define GUARDBIT_SETUP_CFG_V2_Y_FRACTION 1
+#define GUARDBIT_SETUP_CFG_V2_Y_SIGNED 0
+/* v2_z: unsigned, width 3, fraction bits 0. Vertex 2, depth code. */
+#define GUARDBIT_SETUP_CFG_V2_Z_WIDTH 3
+#define GUARDBIT_SETUP_CFG_V2_Z_FRACTION 0
+#define GUARDBIT_SETUP_CFG_V2_Z_SIGNED 0
 /* X(name, width, signed, fraction, digits, lowest bit in the packed record) */
 #define GUARDBIT_SETUP_CFG_COLUMNS(X) \
-    X(x0, 4, 0, 1, 1, 32) \
-    X(y0, 4, 0, 1, 1, 28) \
-    X(z0, 3, 0, 0, 1, 24) \
-    X(x1, 4, 0, 1, 1, 20) \
-    X(y1, 4, 0, 1, 1, 16) \
-    X(z1, 3, 0, 0, 1, 12) \
-    X(x2, 4, 0, 1, 1, 8) \
-    X(y2, 4, 0, 1, 1, 4) \
-    X(z2, 3, 0, 0, 1, 0)
+    X(v0_x, 4, 0, 1, 1, 32) \
+    X(v0_y, 4, 0, 1, 1, 28) \
+    X(v0_z, 3, 0, 0, 1, 24) \
+    X(v1_x, 4, 0, 1, 1, 20) \
+    X(v1_y, 4, 0, 1, 1, 16) \
+    X(v1_z, 3, 0, 0, 1, 12) \
+    X(v2_x, 4, 0, 1, 1, 8) \
+    X(v2_y, 4, 0, 1, 1, 4) \
+    X(v2_z, 3, 0, 0, 1, 0)
 struct guardbit_setup_cfg {
-    uint64_t x0;
-    uint64_t y0;
-    uint64_t z0;
-    uint64_t x1;
-    uint64_t y1;
-    uint64_t z1;
-    uint64_t x2;
-    uint64_t y2;
-    uint64_t z2;
+    uint64_t v0_x;
+    uint64_t v0_y;
+    uint64_t v0_z;
+    uint64_t v1_x;
+    uint64_t v1_y;
+    uint64_t v1_z;
+    uint64_t v2_x;
+    uint64_t v2_y;
+    uint64_t v2_z;
 };
 static inline int guardbit_setup_cfg_parse(const char *line, struct guardbit_setup_cfg *row) {
     uint64_t word[2];
     if (!guardbit_word(&line, 1, 4, '_', word)) return 0;
-    row->x0 = word[0];
+    row->v0_x = word[0];
     if (!guardbit_word(&line, 1, 4, '_', word)) return 0;
-    row->y0 = word[0];
+    row->v0_y = word[0];
     if (!guardbit_word(&line, 1, 3, '_', word)) return 0;
-    row->z0 = word[0];
+    row->v0_z = word[0];
     if (!guardbit_word(&line, 1, 4, '_', word)) return 0;
-    row->x1 = word[0];
+    row->v1_x = word[0];
     if (!guardbit_word(&line, 1, 4, '_', word)) return 0;
-    row->y1 = word[0];
+    row->v1_y = word[0];
     if (!guardbit_word(&line, 1, 3, '_', word)) return 0;
-    row->z1 = word[0];
+    row->v1_z = word[0];
     if (!guardbit_word(&line, 1, 4, '_', word)) return 0;
-    row->x2 = word[0];
+    row->v2_x = word[0];
     if (!guardbit_word(&line, 1, 4, '_', word)) return 0;
-    row->y2 = word[0];
+    row->v2_y = word[0];
     if (!guardbit_word(&line, 1, 3, '\n', word)) return 0;
-    row->z2 = word[0];
+    row->v2_z = word[0];
     return 1;
 }
 
@@ -297,114 +297,114 @@ static inline int guardbit_setup_cfg_parse(const char *line, struct guardbit_set
 #define GUARDBIT_SETUP_EXP_ROWS UINT64_C(200)
 #define GUARDBIT_SETUP_EXP_LINE 38
 #define GUARDBIT_SETUP_EXP_BITS 100
-/* e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored. */
-#define GUARDBIT_SETUP_EXP_E0_WIDTH 6
-#define GUARDBIT_SETUP_EXP_E0_FRACTION 1
-#define GUARDBIT_SETUP_EXP_E0_SIGNED 1
-/* a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right. */
-#define GUARDBIT_SETUP_EXP_A0_WIDTH 6
-#define GUARDBIT_SETUP_EXP_A0_FRACTION 1
-#define GUARDBIT_SETUP_EXP_A0_SIGNED 1
-/* b0: signed, width 6, fraction bits 1. Edge 0, step per row downward. */
-#define GUARDBIT_SETUP_EXP_B0_WIDTH 6
-#define GUARDBIT_SETUP_EXP_B0_FRACTION 1
-#define GUARDBIT_SETUP_EXP_B0_SIGNED 1
-/* e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored. */
-#define GUARDBIT_SETUP_EXP_E1_WIDTH 6
-#define GUARDBIT_SETUP_EXP_E1_FRACTION 1
-#define GUARDBIT_SETUP_EXP_E1_SIGNED 1
-/* a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right. */
-#define GUARDBIT_SETUP_EXP_A1_WIDTH 6
-#define GUARDBIT_SETUP_EXP_A1_FRACTION 1
-#define GUARDBIT_SETUP_EXP_A1_SIGNED 1
-/* b1: signed, width 6, fraction bits 1. Edge 1, step per row downward. */
-#define GUARDBIT_SETUP_EXP_B1_WIDTH 6
-#define GUARDBIT_SETUP_EXP_B1_FRACTION 1
-#define GUARDBIT_SETUP_EXP_B1_SIGNED 1
-/* e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored. */
-#define GUARDBIT_SETUP_EXP_E2_WIDTH 6
-#define GUARDBIT_SETUP_EXP_E2_FRACTION 1
-#define GUARDBIT_SETUP_EXP_E2_SIGNED 1
-/* a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right. */
-#define GUARDBIT_SETUP_EXP_A2_WIDTH 6
-#define GUARDBIT_SETUP_EXP_A2_FRACTION 1
-#define GUARDBIT_SETUP_EXP_A2_SIGNED 1
-/* b2: signed, width 6, fraction bits 1. Edge 2, step per row downward. */
-#define GUARDBIT_SETUP_EXP_B2_WIDTH 6
-#define GUARDBIT_SETUP_EXP_B2_FRACTION 1
-#define GUARDBIT_SETUP_EXP_B2_SIGNED 1
-/* z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0). */
-#define GUARDBIT_SETUP_EXP_Z_WIDTH 7
-#define GUARDBIT_SETUP_EXP_Z_FRACTION 3
-#define GUARDBIT_SETUP_EXP_Z_SIGNED 1
-/* dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right. */
-#define GUARDBIT_SETUP_EXP_DZDX_WIDTH 7
-#define GUARDBIT_SETUP_EXP_DZDX_FRACTION 3
-#define GUARDBIT_SETUP_EXP_DZDX_SIGNED 1
-/* dzdy: signed, width 7, fraction bits 3. Depth slope per row downward. */
-#define GUARDBIT_SETUP_EXP_DZDY_WIDTH 7
-#define GUARDBIT_SETUP_EXP_DZDY_FRACTION 3
-#define GUARDBIT_SETUP_EXP_DZDY_SIGNED 1
+/* edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored. */
+#define GUARDBIT_SETUP_EXP_EDGE0_INIT_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE0_INIT_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE0_INIT_SIGNED 1
+/* edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right. */
+#define GUARDBIT_SETUP_EXP_EDGE0_DX_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE0_DX_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE0_DX_SIGNED 1
+/* edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward. */
+#define GUARDBIT_SETUP_EXP_EDGE0_DY_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE0_DY_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE0_DY_SIGNED 1
+/* edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored. */
+#define GUARDBIT_SETUP_EXP_EDGE1_INIT_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE1_INIT_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE1_INIT_SIGNED 1
+/* edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right. */
+#define GUARDBIT_SETUP_EXP_EDGE1_DX_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE1_DX_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE1_DX_SIGNED 1
+/* edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward. */
+#define GUARDBIT_SETUP_EXP_EDGE1_DY_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE1_DY_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE1_DY_SIGNED 1
+/* edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored. */
+#define GUARDBIT_SETUP_EXP_EDGE2_INIT_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE2_INIT_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE2_INIT_SIGNED 1
+/* edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right. */
+#define GUARDBIT_SETUP_EXP_EDGE2_DX_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE2_DX_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE2_DX_SIGNED 1
+/* edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward. */
+#define GUARDBIT_SETUP_EXP_EDGE2_DY_WIDTH 6
+#define GUARDBIT_SETUP_EXP_EDGE2_DY_FRACTION 1
+#define GUARDBIT_SETUP_EXP_EDGE2_DY_SIGNED 1
+/* depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0). */
+#define GUARDBIT_SETUP_EXP_DEPTH_INIT_WIDTH 7
+#define GUARDBIT_SETUP_EXP_DEPTH_INIT_FRACTION 3
+#define GUARDBIT_SETUP_EXP_DEPTH_INIT_SIGNED 1
+/* depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right. */
+#define GUARDBIT_SETUP_EXP_DEPTH_DX_WIDTH 7
+#define GUARDBIT_SETUP_EXP_DEPTH_DX_FRACTION 3
+#define GUARDBIT_SETUP_EXP_DEPTH_DX_SIGNED 1
+/* depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward. */
+#define GUARDBIT_SETUP_EXP_DEPTH_DY_WIDTH 7
+#define GUARDBIT_SETUP_EXP_DEPTH_DY_FRACTION 3
+#define GUARDBIT_SETUP_EXP_DEPTH_DY_SIGNED 1
 /* zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing. */
 #define GUARDBIT_SETUP_EXP_ZERO_AREA_WIDTH 1
 #define GUARDBIT_SETUP_EXP_ZERO_AREA_FRACTION 0
 #define GUARDBIT_SETUP_EXP_ZERO_AREA_SIGNED 0
 /* X(name, width, signed, fraction, digits, lowest bit in the packed record) */
 #define GUARDBIT_SETUP_EXP_COLUMNS(X) \
-    X(e0, 6, 1, 1, 2, 92) \
-    X(a0, 6, 1, 1, 2, 84) \
-    X(b0, 6, 1, 1, 2, 76) \
-    X(e1, 6, 1, 1, 2, 68) \
-    X(a1, 6, 1, 1, 2, 60) \
-    X(b1, 6, 1, 1, 2, 52) \
-    X(e2, 6, 1, 1, 2, 44) \
-    X(a2, 6, 1, 1, 2, 36) \
-    X(b2, 6, 1, 1, 2, 28) \
-    X(z, 7, 1, 3, 2, 20) \
-    X(dzdx, 7, 1, 3, 2, 12) \
-    X(dzdy, 7, 1, 3, 2, 4) \
+    X(edge0_init, 6, 1, 1, 2, 92) \
+    X(edge0_dx, 6, 1, 1, 2, 84) \
+    X(edge0_dy, 6, 1, 1, 2, 76) \
+    X(edge1_init, 6, 1, 1, 2, 68) \
+    X(edge1_dx, 6, 1, 1, 2, 60) \
+    X(edge1_dy, 6, 1, 1, 2, 52) \
+    X(edge2_init, 6, 1, 1, 2, 44) \
+    X(edge2_dx, 6, 1, 1, 2, 36) \
+    X(edge2_dy, 6, 1, 1, 2, 28) \
+    X(depth_init, 7, 1, 3, 2, 20) \
+    X(depth_dx, 7, 1, 3, 2, 12) \
+    X(depth_dy, 7, 1, 3, 2, 4) \
     X(zero_area, 1, 0, 0, 1, 0)
 struct guardbit_setup_exp {
-    uint64_t e0;
-    uint64_t a0;
-    uint64_t b0;
-    uint64_t e1;
-    uint64_t a1;
-    uint64_t b1;
-    uint64_t e2;
-    uint64_t a2;
-    uint64_t b2;
-    uint64_t z;
-    uint64_t dzdx;
-    uint64_t dzdy;
+    uint64_t edge0_init;
+    uint64_t edge0_dx;
+    uint64_t edge0_dy;
+    uint64_t edge1_init;
+    uint64_t edge1_dx;
+    uint64_t edge1_dy;
+    uint64_t edge2_init;
+    uint64_t edge2_dx;
+    uint64_t edge2_dy;
+    uint64_t depth_init;
+    uint64_t depth_dx;
+    uint64_t depth_dy;
     uint64_t zero_area;
 };
 static inline int guardbit_setup_exp_parse(const char *line, struct guardbit_setup_exp *row) {
     uint64_t word[2];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->e0 = word[0];
+    row->edge0_init = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->a0 = word[0];
+    row->edge0_dx = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->b0 = word[0];
+    row->edge0_dy = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->e1 = word[0];
+    row->edge1_init = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->a1 = word[0];
+    row->edge1_dx = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->b1 = word[0];
+    row->edge1_dy = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->e2 = word[0];
+    row->edge2_init = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->a2 = word[0];
+    row->edge2_dx = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->b2 = word[0];
+    row->edge2_dy = word[0];
     if (!guardbit_word(&line, 2, 7, '_', word)) return 0;
-    row->z = word[0];
+    row->depth_init = word[0];
     if (!guardbit_word(&line, 2, 7, '_', word)) return 0;
-    row->dzdx = word[0];
+    row->depth_dx = word[0];
     if (!guardbit_word(&line, 2, 7, '_', word)) return 0;
-    row->dzdy = word[0];
+    row->depth_dy = word[0];
     if (!guardbit_word(&line, 1, 1, '\n', word)) return 0;
     row->zero_area = word[0];
     return 1;
@@ -418,152 +418,152 @@ static inline int guardbit_setup_exp_parse(const char *line, struct guardbit_set
 #define GUARDBIT_TRIANGLE_CFG_TEST_WIDTH 32
 #define GUARDBIT_TRIANGLE_CFG_TEST_FRACTION 0
 #define GUARDBIT_TRIANGLE_CFG_TEST_SIGNED 0
-/* e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored. */
-#define GUARDBIT_TRIANGLE_CFG_E0_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_E0_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_E0_SIGNED 1
-/* a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right. */
-#define GUARDBIT_TRIANGLE_CFG_A0_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_A0_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_A0_SIGNED 1
-/* b0: signed, width 6, fraction bits 1. Edge 0, step per row downward. */
-#define GUARDBIT_TRIANGLE_CFG_B0_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_B0_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_B0_SIGNED 1
-/* e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored. */
-#define GUARDBIT_TRIANGLE_CFG_E1_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_E1_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_E1_SIGNED 1
-/* a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right. */
-#define GUARDBIT_TRIANGLE_CFG_A1_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_A1_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_A1_SIGNED 1
-/* b1: signed, width 6, fraction bits 1. Edge 1, step per row downward. */
-#define GUARDBIT_TRIANGLE_CFG_B1_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_B1_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_B1_SIGNED 1
-/* e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored. */
-#define GUARDBIT_TRIANGLE_CFG_E2_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_E2_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_E2_SIGNED 1
-/* a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right. */
-#define GUARDBIT_TRIANGLE_CFG_A2_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_A2_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_A2_SIGNED 1
-/* b2: signed, width 6, fraction bits 1. Edge 2, step per row downward. */
-#define GUARDBIT_TRIANGLE_CFG_B2_WIDTH 6
-#define GUARDBIT_TRIANGLE_CFG_B2_FRACTION 1
-#define GUARDBIT_TRIANGLE_CFG_B2_SIGNED 1
-/* z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0). */
-#define GUARDBIT_TRIANGLE_CFG_Z_WIDTH 7
-#define GUARDBIT_TRIANGLE_CFG_Z_FRACTION 3
-#define GUARDBIT_TRIANGLE_CFG_Z_SIGNED 1
-/* dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right. */
-#define GUARDBIT_TRIANGLE_CFG_DZDX_WIDTH 7
-#define GUARDBIT_TRIANGLE_CFG_DZDX_FRACTION 3
-#define GUARDBIT_TRIANGLE_CFG_DZDX_SIGNED 1
-/* dzdy: signed, width 7, fraction bits 3. Depth slope per row downward. */
-#define GUARDBIT_TRIANGLE_CFG_DZDY_WIDTH 7
-#define GUARDBIT_TRIANGLE_CFG_DZDY_FRACTION 3
-#define GUARDBIT_TRIANGLE_CFG_DZDY_SIGNED 1
+/* edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_SIGNED 1
+/* edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_SIGNED 1
+/* edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_SIGNED 1
+/* edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_SIGNED 1
+/* edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_SIGNED 1
+/* edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_SIGNED 1
+/* edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_SIGNED 1
+/* edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_SIGNED 1
+/* edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward. */
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_WIDTH 6
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_FRACTION 1
+#define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_SIGNED 1
+/* depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0). */
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_WIDTH 7
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_FRACTION 3
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_SIGNED 1
+/* depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right. */
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_WIDTH 7
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_FRACTION 3
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_SIGNED 1
+/* depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward. */
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_WIDTH 7
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_FRACTION 3
+#define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_SIGNED 1
 /* zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing. */
 #define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_WIDTH 1
 #define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_FRACTION 0
 #define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_SIGNED 0
-/* x0: unsigned, width 17, fraction bits 0. First column of the bounding box in the window. */
-#define GUARDBIT_TRIANGLE_CFG_X0_WIDTH 17
-#define GUARDBIT_TRIANGLE_CFG_X0_FRACTION 0
-#define GUARDBIT_TRIANGLE_CFG_X0_SIGNED 0
-/* y0: unsigned, width 17, fraction bits 0. First row of the bounding box. */
-#define GUARDBIT_TRIANGLE_CFG_Y0_WIDTH 17
-#define GUARDBIT_TRIANGLE_CFG_Y0_FRACTION 0
-#define GUARDBIT_TRIANGLE_CFG_Y0_SIGNED 0
-/* x1: unsigned, width 17, fraction bits 0. One past its last column. */
-#define GUARDBIT_TRIANGLE_CFG_X1_WIDTH 17
-#define GUARDBIT_TRIANGLE_CFG_X1_FRACTION 0
-#define GUARDBIT_TRIANGLE_CFG_X1_SIGNED 0
-/* y1: unsigned, width 17, fraction bits 0. One past its last row. */
-#define GUARDBIT_TRIANGLE_CFG_Y1_WIDTH 17
-#define GUARDBIT_TRIANGLE_CFG_Y1_FRACTION 0
-#define GUARDBIT_TRIANGLE_CFG_Y1_SIGNED 0
+/* box_y_begin: unsigned, width 17, fraction bits 0. First row of the bounding box in the window. */
+#define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_WIDTH 17
+#define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_FRACTION 0
+#define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_SIGNED 0
+/* box_y_end: unsigned, width 17, fraction bits 0. One past its last row. */
+#define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_WIDTH 17
+#define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_FRACTION 0
+#define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_SIGNED 0
+/* box_x_begin: unsigned, width 17, fraction bits 0. First column of the bounding box. */
+#define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_WIDTH 17
+#define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_FRACTION 0
+#define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_SIGNED 0
+/* box_x_end: unsigned, width 17, fraction bits 0. One past its last column. */
+#define GUARDBIT_TRIANGLE_CFG_BOX_X_END_WIDTH 17
+#define GUARDBIT_TRIANGLE_CFG_BOX_X_END_FRACTION 0
+#define GUARDBIT_TRIANGLE_CFG_BOX_X_END_SIGNED 0
 /* X(name, width, signed, fraction, digits, lowest bit in the packed record) */
 #define GUARDBIT_TRIANGLE_CFG_COLUMNS(X) \
     X(test, 32, 0, 0, 8, 180) \
-    X(e0, 6, 1, 1, 2, 172) \
-    X(a0, 6, 1, 1, 2, 164) \
-    X(b0, 6, 1, 1, 2, 156) \
-    X(e1, 6, 1, 1, 2, 148) \
-    X(a1, 6, 1, 1, 2, 140) \
-    X(b1, 6, 1, 1, 2, 132) \
-    X(e2, 6, 1, 1, 2, 124) \
-    X(a2, 6, 1, 1, 2, 116) \
-    X(b2, 6, 1, 1, 2, 108) \
-    X(z, 7, 1, 3, 2, 100) \
-    X(dzdx, 7, 1, 3, 2, 92) \
-    X(dzdy, 7, 1, 3, 2, 84) \
+    X(edge0_init, 6, 1, 1, 2, 172) \
+    X(edge0_dx, 6, 1, 1, 2, 164) \
+    X(edge0_dy, 6, 1, 1, 2, 156) \
+    X(edge1_init, 6, 1, 1, 2, 148) \
+    X(edge1_dx, 6, 1, 1, 2, 140) \
+    X(edge1_dy, 6, 1, 1, 2, 132) \
+    X(edge2_init, 6, 1, 1, 2, 124) \
+    X(edge2_dx, 6, 1, 1, 2, 116) \
+    X(edge2_dy, 6, 1, 1, 2, 108) \
+    X(depth_init, 7, 1, 3, 2, 100) \
+    X(depth_dx, 7, 1, 3, 2, 92) \
+    X(depth_dy, 7, 1, 3, 2, 84) \
     X(zero_area, 1, 0, 0, 1, 80) \
-    X(x0, 17, 0, 0, 5, 60) \
-    X(y0, 17, 0, 0, 5, 40) \
-    X(x1, 17, 0, 0, 5, 20) \
-    X(y1, 17, 0, 0, 5, 0)
+    X(box_y_begin, 17, 0, 0, 5, 60) \
+    X(box_y_end, 17, 0, 0, 5, 40) \
+    X(box_x_begin, 17, 0, 0, 5, 20) \
+    X(box_x_end, 17, 0, 0, 5, 0)
 struct guardbit_triangle_cfg {
     uint64_t test;
-    uint64_t e0;
-    uint64_t a0;
-    uint64_t b0;
-    uint64_t e1;
-    uint64_t a1;
-    uint64_t b1;
-    uint64_t e2;
-    uint64_t a2;
-    uint64_t b2;
-    uint64_t z;
-    uint64_t dzdx;
-    uint64_t dzdy;
+    uint64_t edge0_init;
+    uint64_t edge0_dx;
+    uint64_t edge0_dy;
+    uint64_t edge1_init;
+    uint64_t edge1_dx;
+    uint64_t edge1_dy;
+    uint64_t edge2_init;
+    uint64_t edge2_dx;
+    uint64_t edge2_dy;
+    uint64_t depth_init;
+    uint64_t depth_dx;
+    uint64_t depth_dy;
     uint64_t zero_area;
-    uint64_t x0;
-    uint64_t y0;
-    uint64_t x1;
-    uint64_t y1;
+    uint64_t box_y_begin;
+    uint64_t box_y_end;
+    uint64_t box_x_begin;
+    uint64_t box_x_end;
 };
 static inline int guardbit_triangle_cfg_parse(const char *line, struct guardbit_triangle_cfg *row) {
     uint64_t word[2];
     if (!guardbit_word(&line, 8, 32, '_', word)) return 0;
     row->test = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->e0 = word[0];
+    row->edge0_init = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->a0 = word[0];
+    row->edge0_dx = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->b0 = word[0];
+    row->edge0_dy = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->e1 = word[0];
+    row->edge1_init = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->a1 = word[0];
+    row->edge1_dx = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->b1 = word[0];
+    row->edge1_dy = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->e2 = word[0];
+    row->edge2_init = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->a2 = word[0];
+    row->edge2_dx = word[0];
     if (!guardbit_word(&line, 2, 6, '_', word)) return 0;
-    row->b2 = word[0];
+    row->edge2_dy = word[0];
     if (!guardbit_word(&line, 2, 7, '_', word)) return 0;
-    row->z = word[0];
+    row->depth_init = word[0];
     if (!guardbit_word(&line, 2, 7, '_', word)) return 0;
-    row->dzdx = word[0];
+    row->depth_dx = word[0];
     if (!guardbit_word(&line, 2, 7, '_', word)) return 0;
-    row->dzdy = word[0];
+    row->depth_dy = word[0];
     if (!guardbit_word(&line, 1, 1, '_', word)) return 0;
     row->zero_area = word[0];
     if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
-    row->x0 = word[0];
+    row->box_y_begin = word[0];
     if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
-    row->y0 = word[0];
+    row->box_y_end = word[0];
     if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
-    row->x1 = word[0];
+    row->box_x_begin = word[0];
     if (!guardbit_word(&line, 5, 17, '\n', word)) return 0;
-    row->y1 = word[0];
+    row->box_x_end = word[0];
     return 1;
 }
 
@@ -599,7 +599,7 @@ static inline int guardbit_triangle_cfg_parse(const char *line, struct guardbit_
 #define GUARDBIT_TRIANGLE_EXP_INEXACT_WIDTH 32
 #define GUARDBIT_TRIANGLE_EXP_INEXACT_FRACTION 0
 #define GUARDBIT_TRIANGLE_EXP_INEXACT_SIGNED 0
-/* zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area. */
+/* zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing. */
 #define GUARDBIT_TRIANGLE_EXP_ZERO_AREA_WIDTH 1
 #define GUARDBIT_TRIANGLE_EXP_ZERO_AREA_FRACTION 0
 #define GUARDBIT_TRIANGLE_EXP_ZERO_AREA_SIGNED 0
@@ -656,25 +656,25 @@ static inline int guardbit_triangle_exp_parse(const char *line, struct guardbit_
 #define GUARDBIT_SPAN_EXP_Y_WIDTH 17
 #define GUARDBIT_SPAN_EXP_Y_FRACTION 0
 #define GUARDBIT_SPAN_EXP_Y_SIGNED 0
-/* x0: unsigned, width 17, fraction bits 0. First covered column. */
-#define GUARDBIT_SPAN_EXP_X0_WIDTH 17
-#define GUARDBIT_SPAN_EXP_X0_FRACTION 0
-#define GUARDBIT_SPAN_EXP_X0_SIGNED 0
-/* x1: unsigned, width 17, fraction bits 0. One past the last covered column. */
-#define GUARDBIT_SPAN_EXP_X1_WIDTH 17
-#define GUARDBIT_SPAN_EXP_X1_FRACTION 0
-#define GUARDBIT_SPAN_EXP_X1_SIGNED 0
+/* x_begin: unsigned, width 17, fraction bits 0. First covered column. */
+#define GUARDBIT_SPAN_EXP_X_BEGIN_WIDTH 17
+#define GUARDBIT_SPAN_EXP_X_BEGIN_FRACTION 0
+#define GUARDBIT_SPAN_EXP_X_BEGIN_SIGNED 0
+/* x_end: unsigned, width 17, fraction bits 0. One past the last covered column. */
+#define GUARDBIT_SPAN_EXP_X_END_WIDTH 17
+#define GUARDBIT_SPAN_EXP_X_END_FRACTION 0
+#define GUARDBIT_SPAN_EXP_X_END_SIGNED 0
 /* X(name, width, signed, fraction, digits, lowest bit in the packed record) */
 #define GUARDBIT_SPAN_EXP_COLUMNS(X) \
     X(test, 32, 0, 0, 8, 60) \
     X(y, 17, 0, 0, 5, 40) \
-    X(x0, 17, 0, 0, 5, 20) \
-    X(x1, 17, 0, 0, 5, 0)
+    X(x_begin, 17, 0, 0, 5, 20) \
+    X(x_end, 17, 0, 0, 5, 0)
 struct guardbit_span_exp {
     uint64_t test;
     uint64_t y;
-    uint64_t x0;
-    uint64_t x1;
+    uint64_t x_begin;
+    uint64_t x_end;
 };
 static inline int guardbit_span_exp_parse(const char *line, struct guardbit_span_exp *row) {
     uint64_t word[2];
@@ -683,9 +683,9 @@ static inline int guardbit_span_exp_parse(const char *line, struct guardbit_span
     if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
     row->y = word[0];
     if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
-    row->x0 = word[0];
+    row->x_begin = word[0];
     if (!guardbit_word(&line, 5, 17, '\n', word)) return 0;
-    row->x1 = word[0];
+    row->x_end = word[0];
     return 1;
 }
 
@@ -697,40 +697,40 @@ static inline int guardbit_span_exp_parse(const char *line, struct guardbit_span
 #define GUARDBIT_DEPTH_EXP_TEST_WIDTH 32
 #define GUARDBIT_DEPTH_EXP_TEST_FRACTION 0
 #define GUARDBIT_DEPTH_EXP_TEST_SIGNED 0
-/* x: unsigned, width 17, fraction bits 0. Column. */
-#define GUARDBIT_DEPTH_EXP_X_WIDTH 17
-#define GUARDBIT_DEPTH_EXP_X_FRACTION 0
-#define GUARDBIT_DEPTH_EXP_X_SIGNED 0
 /* y: unsigned, width 17, fraction bits 0. Row. */
 #define GUARDBIT_DEPTH_EXP_Y_WIDTH 17
 #define GUARDBIT_DEPTH_EXP_Y_FRACTION 0
 #define GUARDBIT_DEPTH_EXP_Y_SIGNED 0
-/* z: unsigned, width 3, fraction bits 0. Depth read-out after the clamp. */
-#define GUARDBIT_DEPTH_EXP_Z_WIDTH 3
-#define GUARDBIT_DEPTH_EXP_Z_FRACTION 0
-#define GUARDBIT_DEPTH_EXP_Z_SIGNED 0
+/* x: unsigned, width 17, fraction bits 0. Column. */
+#define GUARDBIT_DEPTH_EXP_X_WIDTH 17
+#define GUARDBIT_DEPTH_EXP_X_FRACTION 0
+#define GUARDBIT_DEPTH_EXP_X_SIGNED 0
+/* depth: unsigned, width 3, fraction bits 0. Depth read-out after the clamp. */
+#define GUARDBIT_DEPTH_EXP_DEPTH_WIDTH 3
+#define GUARDBIT_DEPTH_EXP_DEPTH_FRACTION 0
+#define GUARDBIT_DEPTH_EXP_DEPTH_SIGNED 0
 /* X(name, width, signed, fraction, digits, lowest bit in the packed record) */
 #define GUARDBIT_DEPTH_EXP_COLUMNS(X) \
     X(test, 32, 0, 0, 8, 44) \
-    X(x, 17, 0, 0, 5, 24) \
-    X(y, 17, 0, 0, 5, 4) \
-    X(z, 3, 0, 0, 1, 0)
+    X(y, 17, 0, 0, 5, 24) \
+    X(x, 17, 0, 0, 5, 4) \
+    X(depth, 3, 0, 0, 1, 0)
 struct guardbit_depth_exp {
     uint64_t test;
-    uint64_t x;
     uint64_t y;
-    uint64_t z;
+    uint64_t x;
+    uint64_t depth;
 };
 static inline int guardbit_depth_exp_parse(const char *line, struct guardbit_depth_exp *row) {
     uint64_t word[2];
     if (!guardbit_word(&line, 8, 32, '_', word)) return 0;
     row->test = word[0];
     if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
-    row->x = word[0];
-    if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
     row->y = word[0];
+    if (!guardbit_word(&line, 5, 17, '_', word)) return 0;
+    row->x = word[0];
     if (!guardbit_word(&line, 1, 3, '\n', word)) return 0;
-    row->z = word[0];
+    row->depth = word[0];
     return 1;
 }
 

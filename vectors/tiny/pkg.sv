@@ -137,55 +137,55 @@ package guardbit_pkg;
     localparam int SETUP_CFG_LINE = 18;  // characters of a line with its newline
     localparam int SETUP_CFG_BITS = 36;  // four a digit
     localparam logic [35:0] SETUP_CFG_PADS = 36'h008008008;  // zero in every record
-    // x0: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels.
-    localparam int SETUP_CFG_X0_WIDTH = 4;
-    localparam int SETUP_CFG_X0_FRACTION = 1;
-    localparam int SETUP_CFG_X0_SIGNED = 0;
-    // y0: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels.
-    localparam int SETUP_CFG_Y0_WIDTH = 4;
-    localparam int SETUP_CFG_Y0_FRACTION = 1;
-    localparam int SETUP_CFG_Y0_SIGNED = 0;
-    // z0: unsigned, width 3, fraction bits 0. Vertex 0, depth code.
-    localparam int SETUP_CFG_Z0_WIDTH = 3;
-    localparam int SETUP_CFG_Z0_FRACTION = 0;
-    localparam int SETUP_CFG_Z0_SIGNED = 0;
-    // x1: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels.
-    localparam int SETUP_CFG_X1_WIDTH = 4;
-    localparam int SETUP_CFG_X1_FRACTION = 1;
-    localparam int SETUP_CFG_X1_SIGNED = 0;
-    // y1: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels.
-    localparam int SETUP_CFG_Y1_WIDTH = 4;
-    localparam int SETUP_CFG_Y1_FRACTION = 1;
-    localparam int SETUP_CFG_Y1_SIGNED = 0;
-    // z1: unsigned, width 3, fraction bits 0. Vertex 1, depth code.
-    localparam int SETUP_CFG_Z1_WIDTH = 3;
-    localparam int SETUP_CFG_Z1_FRACTION = 0;
-    localparam int SETUP_CFG_Z1_SIGNED = 0;
-    // x2: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels.
-    localparam int SETUP_CFG_X2_WIDTH = 4;
-    localparam int SETUP_CFG_X2_FRACTION = 1;
-    localparam int SETUP_CFG_X2_SIGNED = 0;
-    // y2: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels.
-    localparam int SETUP_CFG_Y2_WIDTH = 4;
-    localparam int SETUP_CFG_Y2_FRACTION = 1;
-    localparam int SETUP_CFG_Y2_SIGNED = 0;
-    // z2: unsigned, width 3, fraction bits 0. Vertex 2, depth code.
-    localparam int SETUP_CFG_Z2_WIDTH = 3;
-    localparam int SETUP_CFG_Z2_FRACTION = 0;
-    localparam int SETUP_CFG_Z2_SIGNED = 0;
+    // v0_x: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels.
+    localparam int SETUP_CFG_V0_X_WIDTH = 4;
+    localparam int SETUP_CFG_V0_X_FRACTION = 1;
+    localparam int SETUP_CFG_V0_X_SIGNED = 0;
+    // v0_y: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels.
+    localparam int SETUP_CFG_V0_Y_WIDTH = 4;
+    localparam int SETUP_CFG_V0_Y_FRACTION = 1;
+    localparam int SETUP_CFG_V0_Y_SIGNED = 0;
+    // v0_z: unsigned, width 3, fraction bits 0. Vertex 0, depth code.
+    localparam int SETUP_CFG_V0_Z_WIDTH = 3;
+    localparam int SETUP_CFG_V0_Z_FRACTION = 0;
+    localparam int SETUP_CFG_V0_Z_SIGNED = 0;
+    // v1_x: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels.
+    localparam int SETUP_CFG_V1_X_WIDTH = 4;
+    localparam int SETUP_CFG_V1_X_FRACTION = 1;
+    localparam int SETUP_CFG_V1_X_SIGNED = 0;
+    // v1_y: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels.
+    localparam int SETUP_CFG_V1_Y_WIDTH = 4;
+    localparam int SETUP_CFG_V1_Y_FRACTION = 1;
+    localparam int SETUP_CFG_V1_Y_SIGNED = 0;
+    // v1_z: unsigned, width 3, fraction bits 0. Vertex 1, depth code.
+    localparam int SETUP_CFG_V1_Z_WIDTH = 3;
+    localparam int SETUP_CFG_V1_Z_FRACTION = 0;
+    localparam int SETUP_CFG_V1_Z_SIGNED = 0;
+    // v2_x: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels.
+    localparam int SETUP_CFG_V2_X_WIDTH = 4;
+    localparam int SETUP_CFG_V2_X_FRACTION = 1;
+    localparam int SETUP_CFG_V2_X_SIGNED = 0;
+    // v2_y: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels.
+    localparam int SETUP_CFG_V2_Y_WIDTH = 4;
+    localparam int SETUP_CFG_V2_Y_FRACTION = 1;
+    localparam int SETUP_CFG_V2_Y_SIGNED = 0;
+    // v2_z: unsigned, width 3, fraction bits 0. Vertex 2, depth code.
+    localparam int SETUP_CFG_V2_Z_WIDTH = 3;
+    localparam int SETUP_CFG_V2_Z_FRACTION = 0;
+    localparam int SETUP_CFG_V2_Z_SIGNED = 0;
     typedef struct packed {
-        logic [3:0] x0;
-        logic [3:0] y0;
+        logic [3:0] v0_x;
+        logic [3:0] v0_y;
         logic [0:0] pad2;
-        logic [2:0] z0;
-        logic [3:0] x1;
-        logic [3:0] y1;
+        logic [2:0] v0_z;
+        logic [3:0] v1_x;
+        logic [3:0] v1_y;
         logic [0:0] pad5;
-        logic [2:0] z1;
-        logic [3:0] x2;
-        logic [3:0] y2;
+        logic [2:0] v1_z;
+        logic [3:0] v2_x;
+        logic [3:0] v2_y;
         logic [0:0] pad8;
-        logic [2:0] z2;
+        logic [2:0] v2_z;
     } setup_cfg_t;
 
     // setup.exp.tv
@@ -193,83 +193,83 @@ package guardbit_pkg;
     localparam int SETUP_EXP_LINE = 38;  // characters of a line with its newline
     localparam int SETUP_EXP_BITS = 100;  // four a digit
     localparam logic [99:0] SETUP_EXP_PADS = 100'hc0c0c0c0c0c0c0c0c0808080e;  // zero in every record
-    // e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
-    localparam int SETUP_EXP_E0_WIDTH = 6;
-    localparam int SETUP_EXP_E0_FRACTION = 1;
-    localparam int SETUP_EXP_E0_SIGNED = 1;
-    // a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
-    localparam int SETUP_EXP_A0_WIDTH = 6;
-    localparam int SETUP_EXP_A0_FRACTION = 1;
-    localparam int SETUP_EXP_A0_SIGNED = 1;
-    // b0: signed, width 6, fraction bits 1. Edge 0, step per row downward.
-    localparam int SETUP_EXP_B0_WIDTH = 6;
-    localparam int SETUP_EXP_B0_FRACTION = 1;
-    localparam int SETUP_EXP_B0_SIGNED = 1;
-    // e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
-    localparam int SETUP_EXP_E1_WIDTH = 6;
-    localparam int SETUP_EXP_E1_FRACTION = 1;
-    localparam int SETUP_EXP_E1_SIGNED = 1;
-    // a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
-    localparam int SETUP_EXP_A1_WIDTH = 6;
-    localparam int SETUP_EXP_A1_FRACTION = 1;
-    localparam int SETUP_EXP_A1_SIGNED = 1;
-    // b1: signed, width 6, fraction bits 1. Edge 1, step per row downward.
-    localparam int SETUP_EXP_B1_WIDTH = 6;
-    localparam int SETUP_EXP_B1_FRACTION = 1;
-    localparam int SETUP_EXP_B1_SIGNED = 1;
-    // e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
-    localparam int SETUP_EXP_E2_WIDTH = 6;
-    localparam int SETUP_EXP_E2_FRACTION = 1;
-    localparam int SETUP_EXP_E2_SIGNED = 1;
-    // a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
-    localparam int SETUP_EXP_A2_WIDTH = 6;
-    localparam int SETUP_EXP_A2_FRACTION = 1;
-    localparam int SETUP_EXP_A2_SIGNED = 1;
-    // b2: signed, width 6, fraction bits 1. Edge 2, step per row downward.
-    localparam int SETUP_EXP_B2_WIDTH = 6;
-    localparam int SETUP_EXP_B2_FRACTION = 1;
-    localparam int SETUP_EXP_B2_SIGNED = 1;
-    // z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
-    localparam int SETUP_EXP_Z_WIDTH = 7;
-    localparam int SETUP_EXP_Z_FRACTION = 3;
-    localparam int SETUP_EXP_Z_SIGNED = 1;
-    // dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
-    localparam int SETUP_EXP_DZDX_WIDTH = 7;
-    localparam int SETUP_EXP_DZDX_FRACTION = 3;
-    localparam int SETUP_EXP_DZDX_SIGNED = 1;
-    // dzdy: signed, width 7, fraction bits 3. Depth slope per row downward.
-    localparam int SETUP_EXP_DZDY_WIDTH = 7;
-    localparam int SETUP_EXP_DZDY_FRACTION = 3;
-    localparam int SETUP_EXP_DZDY_SIGNED = 1;
+    // edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
+    localparam int SETUP_EXP_EDGE0_INIT_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE0_INIT_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE0_INIT_SIGNED = 1;
+    // edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
+    localparam int SETUP_EXP_EDGE0_DX_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE0_DX_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE0_DX_SIGNED = 1;
+    // edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward.
+    localparam int SETUP_EXP_EDGE0_DY_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE0_DY_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE0_DY_SIGNED = 1;
+    // edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
+    localparam int SETUP_EXP_EDGE1_INIT_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE1_INIT_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE1_INIT_SIGNED = 1;
+    // edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
+    localparam int SETUP_EXP_EDGE1_DX_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE1_DX_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE1_DX_SIGNED = 1;
+    // edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward.
+    localparam int SETUP_EXP_EDGE1_DY_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE1_DY_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE1_DY_SIGNED = 1;
+    // edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
+    localparam int SETUP_EXP_EDGE2_INIT_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE2_INIT_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE2_INIT_SIGNED = 1;
+    // edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
+    localparam int SETUP_EXP_EDGE2_DX_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE2_DX_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE2_DX_SIGNED = 1;
+    // edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward.
+    localparam int SETUP_EXP_EDGE2_DY_WIDTH = 6;
+    localparam int SETUP_EXP_EDGE2_DY_FRACTION = 1;
+    localparam int SETUP_EXP_EDGE2_DY_SIGNED = 1;
+    // depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
+    localparam int SETUP_EXP_DEPTH_INIT_WIDTH = 7;
+    localparam int SETUP_EXP_DEPTH_INIT_FRACTION = 3;
+    localparam int SETUP_EXP_DEPTH_INIT_SIGNED = 1;
+    // depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
+    localparam int SETUP_EXP_DEPTH_DX_WIDTH = 7;
+    localparam int SETUP_EXP_DEPTH_DX_FRACTION = 3;
+    localparam int SETUP_EXP_DEPTH_DX_SIGNED = 1;
+    // depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward.
+    localparam int SETUP_EXP_DEPTH_DY_WIDTH = 7;
+    localparam int SETUP_EXP_DEPTH_DY_FRACTION = 3;
+    localparam int SETUP_EXP_DEPTH_DY_SIGNED = 1;
     // zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
     localparam int SETUP_EXP_ZERO_AREA_WIDTH = 1;
     localparam int SETUP_EXP_ZERO_AREA_FRACTION = 0;
     localparam int SETUP_EXP_ZERO_AREA_SIGNED = 0;
     typedef struct packed {
         logic [1:0] pad0;
-        logic signed [5:0] e0;
+        logic signed [5:0] edge0_init;
         logic [1:0] pad1;
-        logic signed [5:0] a0;
+        logic signed [5:0] edge0_dx;
         logic [1:0] pad2;
-        logic signed [5:0] b0;
+        logic signed [5:0] edge0_dy;
         logic [1:0] pad3;
-        logic signed [5:0] e1;
+        logic signed [5:0] edge1_init;
         logic [1:0] pad4;
-        logic signed [5:0] a1;
+        logic signed [5:0] edge1_dx;
         logic [1:0] pad5;
-        logic signed [5:0] b1;
+        logic signed [5:0] edge1_dy;
         logic [1:0] pad6;
-        logic signed [5:0] e2;
+        logic signed [5:0] edge2_init;
         logic [1:0] pad7;
-        logic signed [5:0] a2;
+        logic signed [5:0] edge2_dx;
         logic [1:0] pad8;
-        logic signed [5:0] b2;
+        logic signed [5:0] edge2_dy;
         logic [0:0] pad9;
-        logic signed [6:0] z;
+        logic signed [6:0] depth_init;
         logic [0:0] pad10;
-        logic signed [6:0] dzdx;
+        logic signed [6:0] depth_dx;
         logic [0:0] pad11;
-        logic signed [6:0] dzdy;
+        logic signed [6:0] depth_dy;
         logic [2:0] pad12;
         logic [0:0] zero_area;
     } setup_exp_t;
@@ -283,110 +283,110 @@ package guardbit_pkg;
     localparam int TRIANGLE_CFG_TEST_WIDTH = 32;
     localparam int TRIANGLE_CFG_TEST_FRACTION = 0;
     localparam int TRIANGLE_CFG_TEST_SIGNED = 0;
-    // e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
-    localparam int TRIANGLE_CFG_E0_WIDTH = 6;
-    localparam int TRIANGLE_CFG_E0_FRACTION = 1;
-    localparam int TRIANGLE_CFG_E0_SIGNED = 1;
-    // a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
-    localparam int TRIANGLE_CFG_A0_WIDTH = 6;
-    localparam int TRIANGLE_CFG_A0_FRACTION = 1;
-    localparam int TRIANGLE_CFG_A0_SIGNED = 1;
-    // b0: signed, width 6, fraction bits 1. Edge 0, step per row downward.
-    localparam int TRIANGLE_CFG_B0_WIDTH = 6;
-    localparam int TRIANGLE_CFG_B0_FRACTION = 1;
-    localparam int TRIANGLE_CFG_B0_SIGNED = 1;
-    // e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
-    localparam int TRIANGLE_CFG_E1_WIDTH = 6;
-    localparam int TRIANGLE_CFG_E1_FRACTION = 1;
-    localparam int TRIANGLE_CFG_E1_SIGNED = 1;
-    // a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
-    localparam int TRIANGLE_CFG_A1_WIDTH = 6;
-    localparam int TRIANGLE_CFG_A1_FRACTION = 1;
-    localparam int TRIANGLE_CFG_A1_SIGNED = 1;
-    // b1: signed, width 6, fraction bits 1. Edge 1, step per row downward.
-    localparam int TRIANGLE_CFG_B1_WIDTH = 6;
-    localparam int TRIANGLE_CFG_B1_FRACTION = 1;
-    localparam int TRIANGLE_CFG_B1_SIGNED = 1;
-    // e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
-    localparam int TRIANGLE_CFG_E2_WIDTH = 6;
-    localparam int TRIANGLE_CFG_E2_FRACTION = 1;
-    localparam int TRIANGLE_CFG_E2_SIGNED = 1;
-    // a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
-    localparam int TRIANGLE_CFG_A2_WIDTH = 6;
-    localparam int TRIANGLE_CFG_A2_FRACTION = 1;
-    localparam int TRIANGLE_CFG_A2_SIGNED = 1;
-    // b2: signed, width 6, fraction bits 1. Edge 2, step per row downward.
-    localparam int TRIANGLE_CFG_B2_WIDTH = 6;
-    localparam int TRIANGLE_CFG_B2_FRACTION = 1;
-    localparam int TRIANGLE_CFG_B2_SIGNED = 1;
-    // z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
-    localparam int TRIANGLE_CFG_Z_WIDTH = 7;
-    localparam int TRIANGLE_CFG_Z_FRACTION = 3;
-    localparam int TRIANGLE_CFG_Z_SIGNED = 1;
-    // dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
-    localparam int TRIANGLE_CFG_DZDX_WIDTH = 7;
-    localparam int TRIANGLE_CFG_DZDX_FRACTION = 3;
-    localparam int TRIANGLE_CFG_DZDX_SIGNED = 1;
-    // dzdy: signed, width 7, fraction bits 3. Depth slope per row downward.
-    localparam int TRIANGLE_CFG_DZDY_WIDTH = 7;
-    localparam int TRIANGLE_CFG_DZDY_FRACTION = 3;
-    localparam int TRIANGLE_CFG_DZDY_SIGNED = 1;
+    // edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
+    localparam int TRIANGLE_CFG_EDGE0_INIT_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE0_INIT_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE0_INIT_SIGNED = 1;
+    // edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
+    localparam int TRIANGLE_CFG_EDGE0_DX_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE0_DX_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE0_DX_SIGNED = 1;
+    // edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward.
+    localparam int TRIANGLE_CFG_EDGE0_DY_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE0_DY_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE0_DY_SIGNED = 1;
+    // edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
+    localparam int TRIANGLE_CFG_EDGE1_INIT_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE1_INIT_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE1_INIT_SIGNED = 1;
+    // edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
+    localparam int TRIANGLE_CFG_EDGE1_DX_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE1_DX_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE1_DX_SIGNED = 1;
+    // edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward.
+    localparam int TRIANGLE_CFG_EDGE1_DY_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE1_DY_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE1_DY_SIGNED = 1;
+    // edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
+    localparam int TRIANGLE_CFG_EDGE2_INIT_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE2_INIT_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE2_INIT_SIGNED = 1;
+    // edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
+    localparam int TRIANGLE_CFG_EDGE2_DX_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE2_DX_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE2_DX_SIGNED = 1;
+    // edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward.
+    localparam int TRIANGLE_CFG_EDGE2_DY_WIDTH = 6;
+    localparam int TRIANGLE_CFG_EDGE2_DY_FRACTION = 1;
+    localparam int TRIANGLE_CFG_EDGE2_DY_SIGNED = 1;
+    // depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
+    localparam int TRIANGLE_CFG_DEPTH_INIT_WIDTH = 7;
+    localparam int TRIANGLE_CFG_DEPTH_INIT_FRACTION = 3;
+    localparam int TRIANGLE_CFG_DEPTH_INIT_SIGNED = 1;
+    // depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
+    localparam int TRIANGLE_CFG_DEPTH_DX_WIDTH = 7;
+    localparam int TRIANGLE_CFG_DEPTH_DX_FRACTION = 3;
+    localparam int TRIANGLE_CFG_DEPTH_DX_SIGNED = 1;
+    // depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward.
+    localparam int TRIANGLE_CFG_DEPTH_DY_WIDTH = 7;
+    localparam int TRIANGLE_CFG_DEPTH_DY_FRACTION = 3;
+    localparam int TRIANGLE_CFG_DEPTH_DY_SIGNED = 1;
     // zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
     localparam int TRIANGLE_CFG_ZERO_AREA_WIDTH = 1;
     localparam int TRIANGLE_CFG_ZERO_AREA_FRACTION = 0;
     localparam int TRIANGLE_CFG_ZERO_AREA_SIGNED = 0;
-    // x0: unsigned, width 17, fraction bits 0. First column of the bounding box in the window.
-    localparam int TRIANGLE_CFG_X0_WIDTH = 17;
-    localparam int TRIANGLE_CFG_X0_FRACTION = 0;
-    localparam int TRIANGLE_CFG_X0_SIGNED = 0;
-    // y0: unsigned, width 17, fraction bits 0. First row of the bounding box.
-    localparam int TRIANGLE_CFG_Y0_WIDTH = 17;
-    localparam int TRIANGLE_CFG_Y0_FRACTION = 0;
-    localparam int TRIANGLE_CFG_Y0_SIGNED = 0;
-    // x1: unsigned, width 17, fraction bits 0. One past its last column.
-    localparam int TRIANGLE_CFG_X1_WIDTH = 17;
-    localparam int TRIANGLE_CFG_X1_FRACTION = 0;
-    localparam int TRIANGLE_CFG_X1_SIGNED = 0;
-    // y1: unsigned, width 17, fraction bits 0. One past its last row.
-    localparam int TRIANGLE_CFG_Y1_WIDTH = 17;
-    localparam int TRIANGLE_CFG_Y1_FRACTION = 0;
-    localparam int TRIANGLE_CFG_Y1_SIGNED = 0;
+    // box_y_begin: unsigned, width 17, fraction bits 0. First row of the bounding box in the window.
+    localparam int TRIANGLE_CFG_BOX_Y_BEGIN_WIDTH = 17;
+    localparam int TRIANGLE_CFG_BOX_Y_BEGIN_FRACTION = 0;
+    localparam int TRIANGLE_CFG_BOX_Y_BEGIN_SIGNED = 0;
+    // box_y_end: unsigned, width 17, fraction bits 0. One past its last row.
+    localparam int TRIANGLE_CFG_BOX_Y_END_WIDTH = 17;
+    localparam int TRIANGLE_CFG_BOX_Y_END_FRACTION = 0;
+    localparam int TRIANGLE_CFG_BOX_Y_END_SIGNED = 0;
+    // box_x_begin: unsigned, width 17, fraction bits 0. First column of the bounding box.
+    localparam int TRIANGLE_CFG_BOX_X_BEGIN_WIDTH = 17;
+    localparam int TRIANGLE_CFG_BOX_X_BEGIN_FRACTION = 0;
+    localparam int TRIANGLE_CFG_BOX_X_BEGIN_SIGNED = 0;
+    // box_x_end: unsigned, width 17, fraction bits 0. One past its last column.
+    localparam int TRIANGLE_CFG_BOX_X_END_WIDTH = 17;
+    localparam int TRIANGLE_CFG_BOX_X_END_FRACTION = 0;
+    localparam int TRIANGLE_CFG_BOX_X_END_SIGNED = 0;
     typedef struct packed {
         logic [31:0] test;
         logic [1:0] pad1;
-        logic signed [5:0] e0;
+        logic signed [5:0] edge0_init;
         logic [1:0] pad2;
-        logic signed [5:0] a0;
+        logic signed [5:0] edge0_dx;
         logic [1:0] pad3;
-        logic signed [5:0] b0;
+        logic signed [5:0] edge0_dy;
         logic [1:0] pad4;
-        logic signed [5:0] e1;
+        logic signed [5:0] edge1_init;
         logic [1:0] pad5;
-        logic signed [5:0] a1;
+        logic signed [5:0] edge1_dx;
         logic [1:0] pad6;
-        logic signed [5:0] b1;
+        logic signed [5:0] edge1_dy;
         logic [1:0] pad7;
-        logic signed [5:0] e2;
+        logic signed [5:0] edge2_init;
         logic [1:0] pad8;
-        logic signed [5:0] a2;
+        logic signed [5:0] edge2_dx;
         logic [1:0] pad9;
-        logic signed [5:0] b2;
+        logic signed [5:0] edge2_dy;
         logic [0:0] pad10;
-        logic signed [6:0] z;
+        logic signed [6:0] depth_init;
         logic [0:0] pad11;
-        logic signed [6:0] dzdx;
+        logic signed [6:0] depth_dx;
         logic [0:0] pad12;
-        logic signed [6:0] dzdy;
+        logic signed [6:0] depth_dy;
         logic [2:0] pad13;
         logic [0:0] zero_area;
         logic [2:0] pad14;
-        logic [16:0] x0;
+        logic [16:0] box_y_begin;
         logic [2:0] pad15;
-        logic [16:0] y0;
+        logic [16:0] box_y_end;
         logic [2:0] pad16;
-        logic [16:0] x1;
+        logic [16:0] box_x_begin;
         logic [2:0] pad17;
-        logic [16:0] y1;
+        logic [16:0] box_x_end;
     } triangle_cfg_t;
 
     // triangle.exp.tv
@@ -422,7 +422,7 @@ package guardbit_pkg;
     localparam int TRIANGLE_EXP_INEXACT_WIDTH = 32;
     localparam int TRIANGLE_EXP_INEXACT_FRACTION = 0;
     localparam int TRIANGLE_EXP_INEXACT_SIGNED = 0;
-    // zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area.
+    // zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
     localparam int TRIANGLE_EXP_ZERO_AREA_WIDTH = 1;
     localparam int TRIANGLE_EXP_ZERO_AREA_FRACTION = 0;
     localparam int TRIANGLE_EXP_ZERO_AREA_SIGNED = 0;
@@ -451,22 +451,22 @@ package guardbit_pkg;
     localparam int SPAN_EXP_Y_WIDTH = 17;
     localparam int SPAN_EXP_Y_FRACTION = 0;
     localparam int SPAN_EXP_Y_SIGNED = 0;
-    // x0: unsigned, width 17, fraction bits 0. First covered column.
-    localparam int SPAN_EXP_X0_WIDTH = 17;
-    localparam int SPAN_EXP_X0_FRACTION = 0;
-    localparam int SPAN_EXP_X0_SIGNED = 0;
-    // x1: unsigned, width 17, fraction bits 0. One past the last covered column.
-    localparam int SPAN_EXP_X1_WIDTH = 17;
-    localparam int SPAN_EXP_X1_FRACTION = 0;
-    localparam int SPAN_EXP_X1_SIGNED = 0;
+    // x_begin: unsigned, width 17, fraction bits 0. First covered column.
+    localparam int SPAN_EXP_X_BEGIN_WIDTH = 17;
+    localparam int SPAN_EXP_X_BEGIN_FRACTION = 0;
+    localparam int SPAN_EXP_X_BEGIN_SIGNED = 0;
+    // x_end: unsigned, width 17, fraction bits 0. One past the last covered column.
+    localparam int SPAN_EXP_X_END_WIDTH = 17;
+    localparam int SPAN_EXP_X_END_FRACTION = 0;
+    localparam int SPAN_EXP_X_END_SIGNED = 0;
     typedef struct packed {
         logic [31:0] test;
         logic [2:0] pad1;
         logic [16:0] y;
         logic [2:0] pad2;
-        logic [16:0] x0;
+        logic [16:0] x_begin;
         logic [2:0] pad3;
-        logic [16:0] x1;
+        logic [16:0] x_end;
     } span_exp_t;
 
     // depth.exp.tv
@@ -478,25 +478,25 @@ package guardbit_pkg;
     localparam int DEPTH_EXP_TEST_WIDTH = 32;
     localparam int DEPTH_EXP_TEST_FRACTION = 0;
     localparam int DEPTH_EXP_TEST_SIGNED = 0;
-    // x: unsigned, width 17, fraction bits 0. Column.
-    localparam int DEPTH_EXP_X_WIDTH = 17;
-    localparam int DEPTH_EXP_X_FRACTION = 0;
-    localparam int DEPTH_EXP_X_SIGNED = 0;
     // y: unsigned, width 17, fraction bits 0. Row.
     localparam int DEPTH_EXP_Y_WIDTH = 17;
     localparam int DEPTH_EXP_Y_FRACTION = 0;
     localparam int DEPTH_EXP_Y_SIGNED = 0;
-    // z: unsigned, width 3, fraction bits 0. Depth read-out after the clamp.
-    localparam int DEPTH_EXP_Z_WIDTH = 3;
-    localparam int DEPTH_EXP_Z_FRACTION = 0;
-    localparam int DEPTH_EXP_Z_SIGNED = 0;
+    // x: unsigned, width 17, fraction bits 0. Column.
+    localparam int DEPTH_EXP_X_WIDTH = 17;
+    localparam int DEPTH_EXP_X_FRACTION = 0;
+    localparam int DEPTH_EXP_X_SIGNED = 0;
+    // depth: unsigned, width 3, fraction bits 0. Depth read-out after the clamp.
+    localparam int DEPTH_EXP_DEPTH_WIDTH = 3;
+    localparam int DEPTH_EXP_DEPTH_FRACTION = 0;
+    localparam int DEPTH_EXP_DEPTH_SIGNED = 0;
     typedef struct packed {
         logic [31:0] test;
         logic [2:0] pad1;
-        logic [16:0] x;
-        logic [2:0] pad2;
         logic [16:0] y;
+        logic [2:0] pad2;
+        logic [16:0] x;
         logic [0:0] pad3;
-        logic [2:0] z;
+        logic [2:0] depth;
     } depth_exp_t;
 endpackage

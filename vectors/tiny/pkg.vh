@@ -143,159 +143,159 @@
 `define GUARDBIT_SETUP_CFG_LINE 18
 `define GUARDBIT_SETUP_CFG_BITS 36
 `define GUARDBIT_SETUP_CFG_PADS 36'h008008008
-// x0: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels.
-`define GUARDBIT_SETUP_CFG_X0_WIDTH 4
-`define GUARDBIT_SETUP_CFG_X0_FRACTION 1
-`define GUARDBIT_SETUP_CFG_X0_SIGNED 0
-`define GUARDBIT_SETUP_CFG_X0_MSB 35
-`define GUARDBIT_SETUP_CFG_X0_LSB 32
-`define GUARDBIT_SETUP_CFG_X0(row) row[35:32]
-// y0: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels.
-`define GUARDBIT_SETUP_CFG_Y0_WIDTH 4
-`define GUARDBIT_SETUP_CFG_Y0_FRACTION 1
-`define GUARDBIT_SETUP_CFG_Y0_SIGNED 0
-`define GUARDBIT_SETUP_CFG_Y0_MSB 31
-`define GUARDBIT_SETUP_CFG_Y0_LSB 28
-`define GUARDBIT_SETUP_CFG_Y0(row) row[31:28]
-// z0: unsigned, width 3, fraction bits 0. Vertex 0, depth code.
-`define GUARDBIT_SETUP_CFG_Z0_WIDTH 3
-`define GUARDBIT_SETUP_CFG_Z0_FRACTION 0
-`define GUARDBIT_SETUP_CFG_Z0_SIGNED 0
-`define GUARDBIT_SETUP_CFG_Z0_MSB 26
-`define GUARDBIT_SETUP_CFG_Z0_LSB 24
-`define GUARDBIT_SETUP_CFG_Z0(row) row[26:24]
-// x1: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels.
-`define GUARDBIT_SETUP_CFG_X1_WIDTH 4
-`define GUARDBIT_SETUP_CFG_X1_FRACTION 1
-`define GUARDBIT_SETUP_CFG_X1_SIGNED 0
-`define GUARDBIT_SETUP_CFG_X1_MSB 23
-`define GUARDBIT_SETUP_CFG_X1_LSB 20
-`define GUARDBIT_SETUP_CFG_X1(row) row[23:20]
-// y1: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels.
-`define GUARDBIT_SETUP_CFG_Y1_WIDTH 4
-`define GUARDBIT_SETUP_CFG_Y1_FRACTION 1
-`define GUARDBIT_SETUP_CFG_Y1_SIGNED 0
-`define GUARDBIT_SETUP_CFG_Y1_MSB 19
-`define GUARDBIT_SETUP_CFG_Y1_LSB 16
-`define GUARDBIT_SETUP_CFG_Y1(row) row[19:16]
-// z1: unsigned, width 3, fraction bits 0. Vertex 1, depth code.
-`define GUARDBIT_SETUP_CFG_Z1_WIDTH 3
-`define GUARDBIT_SETUP_CFG_Z1_FRACTION 0
-`define GUARDBIT_SETUP_CFG_Z1_SIGNED 0
-`define GUARDBIT_SETUP_CFG_Z1_MSB 14
-`define GUARDBIT_SETUP_CFG_Z1_LSB 12
-`define GUARDBIT_SETUP_CFG_Z1(row) row[14:12]
-// x2: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels.
-`define GUARDBIT_SETUP_CFG_X2_WIDTH 4
-`define GUARDBIT_SETUP_CFG_X2_FRACTION 1
-`define GUARDBIT_SETUP_CFG_X2_SIGNED 0
-`define GUARDBIT_SETUP_CFG_X2_MSB 11
-`define GUARDBIT_SETUP_CFG_X2_LSB 8
-`define GUARDBIT_SETUP_CFG_X2(row) row[11:8]
-// y2: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels.
-`define GUARDBIT_SETUP_CFG_Y2_WIDTH 4
-`define GUARDBIT_SETUP_CFG_Y2_FRACTION 1
-`define GUARDBIT_SETUP_CFG_Y2_SIGNED 0
-`define GUARDBIT_SETUP_CFG_Y2_MSB 7
-`define GUARDBIT_SETUP_CFG_Y2_LSB 4
-`define GUARDBIT_SETUP_CFG_Y2(row) row[7:4]
-// z2: unsigned, width 3, fraction bits 0. Vertex 2, depth code.
-`define GUARDBIT_SETUP_CFG_Z2_WIDTH 3
-`define GUARDBIT_SETUP_CFG_Z2_FRACTION 0
-`define GUARDBIT_SETUP_CFG_Z2_SIGNED 0
-`define GUARDBIT_SETUP_CFG_Z2_MSB 2
-`define GUARDBIT_SETUP_CFG_Z2_LSB 0
-`define GUARDBIT_SETUP_CFG_Z2(row) row[2:0]
+// v0_x: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels.
+`define GUARDBIT_SETUP_CFG_V0_X_WIDTH 4
+`define GUARDBIT_SETUP_CFG_V0_X_FRACTION 1
+`define GUARDBIT_SETUP_CFG_V0_X_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V0_X_MSB 35
+`define GUARDBIT_SETUP_CFG_V0_X_LSB 32
+`define GUARDBIT_SETUP_CFG_V0_X(row) row[35:32]
+// v0_y: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels.
+`define GUARDBIT_SETUP_CFG_V0_Y_WIDTH 4
+`define GUARDBIT_SETUP_CFG_V0_Y_FRACTION 1
+`define GUARDBIT_SETUP_CFG_V0_Y_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V0_Y_MSB 31
+`define GUARDBIT_SETUP_CFG_V0_Y_LSB 28
+`define GUARDBIT_SETUP_CFG_V0_Y(row) row[31:28]
+// v0_z: unsigned, width 3, fraction bits 0. Vertex 0, depth code.
+`define GUARDBIT_SETUP_CFG_V0_Z_WIDTH 3
+`define GUARDBIT_SETUP_CFG_V0_Z_FRACTION 0
+`define GUARDBIT_SETUP_CFG_V0_Z_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V0_Z_MSB 26
+`define GUARDBIT_SETUP_CFG_V0_Z_LSB 24
+`define GUARDBIT_SETUP_CFG_V0_Z(row) row[26:24]
+// v1_x: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels.
+`define GUARDBIT_SETUP_CFG_V1_X_WIDTH 4
+`define GUARDBIT_SETUP_CFG_V1_X_FRACTION 1
+`define GUARDBIT_SETUP_CFG_V1_X_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V1_X_MSB 23
+`define GUARDBIT_SETUP_CFG_V1_X_LSB 20
+`define GUARDBIT_SETUP_CFG_V1_X(row) row[23:20]
+// v1_y: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels.
+`define GUARDBIT_SETUP_CFG_V1_Y_WIDTH 4
+`define GUARDBIT_SETUP_CFG_V1_Y_FRACTION 1
+`define GUARDBIT_SETUP_CFG_V1_Y_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V1_Y_MSB 19
+`define GUARDBIT_SETUP_CFG_V1_Y_LSB 16
+`define GUARDBIT_SETUP_CFG_V1_Y(row) row[19:16]
+// v1_z: unsigned, width 3, fraction bits 0. Vertex 1, depth code.
+`define GUARDBIT_SETUP_CFG_V1_Z_WIDTH 3
+`define GUARDBIT_SETUP_CFG_V1_Z_FRACTION 0
+`define GUARDBIT_SETUP_CFG_V1_Z_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V1_Z_MSB 14
+`define GUARDBIT_SETUP_CFG_V1_Z_LSB 12
+`define GUARDBIT_SETUP_CFG_V1_Z(row) row[14:12]
+// v2_x: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels.
+`define GUARDBIT_SETUP_CFG_V2_X_WIDTH 4
+`define GUARDBIT_SETUP_CFG_V2_X_FRACTION 1
+`define GUARDBIT_SETUP_CFG_V2_X_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V2_X_MSB 11
+`define GUARDBIT_SETUP_CFG_V2_X_LSB 8
+`define GUARDBIT_SETUP_CFG_V2_X(row) row[11:8]
+// v2_y: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels.
+`define GUARDBIT_SETUP_CFG_V2_Y_WIDTH 4
+`define GUARDBIT_SETUP_CFG_V2_Y_FRACTION 1
+`define GUARDBIT_SETUP_CFG_V2_Y_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V2_Y_MSB 7
+`define GUARDBIT_SETUP_CFG_V2_Y_LSB 4
+`define GUARDBIT_SETUP_CFG_V2_Y(row) row[7:4]
+// v2_z: unsigned, width 3, fraction bits 0. Vertex 2, depth code.
+`define GUARDBIT_SETUP_CFG_V2_Z_WIDTH 3
+`define GUARDBIT_SETUP_CFG_V2_Z_FRACTION 0
+`define GUARDBIT_SETUP_CFG_V2_Z_SIGNED 0
+`define GUARDBIT_SETUP_CFG_V2_Z_MSB 2
+`define GUARDBIT_SETUP_CFG_V2_Z_LSB 0
+`define GUARDBIT_SETUP_CFG_V2_Z(row) row[2:0]
 
 // setup.exp.tv: rows, characters of a line with its newline, bits of a record
 `define GUARDBIT_SETUP_EXP_ROWS 64'd200
 `define GUARDBIT_SETUP_EXP_LINE 38
 `define GUARDBIT_SETUP_EXP_BITS 100
 `define GUARDBIT_SETUP_EXP_PADS 100'hc0c0c0c0c0c0c0c0c0808080e
-// e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
-`define GUARDBIT_SETUP_EXP_E0_WIDTH 6
-`define GUARDBIT_SETUP_EXP_E0_FRACTION 1
-`define GUARDBIT_SETUP_EXP_E0_SIGNED 1
-`define GUARDBIT_SETUP_EXP_E0_MSB 97
-`define GUARDBIT_SETUP_EXP_E0_LSB 92
-`define GUARDBIT_SETUP_EXP_E0(row) row[97:92]
-// a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
-`define GUARDBIT_SETUP_EXP_A0_WIDTH 6
-`define GUARDBIT_SETUP_EXP_A0_FRACTION 1
-`define GUARDBIT_SETUP_EXP_A0_SIGNED 1
-`define GUARDBIT_SETUP_EXP_A0_MSB 89
-`define GUARDBIT_SETUP_EXP_A0_LSB 84
-`define GUARDBIT_SETUP_EXP_A0(row) row[89:84]
-// b0: signed, width 6, fraction bits 1. Edge 0, step per row downward.
-`define GUARDBIT_SETUP_EXP_B0_WIDTH 6
-`define GUARDBIT_SETUP_EXP_B0_FRACTION 1
-`define GUARDBIT_SETUP_EXP_B0_SIGNED 1
-`define GUARDBIT_SETUP_EXP_B0_MSB 81
-`define GUARDBIT_SETUP_EXP_B0_LSB 76
-`define GUARDBIT_SETUP_EXP_B0(row) row[81:76]
-// e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
-`define GUARDBIT_SETUP_EXP_E1_WIDTH 6
-`define GUARDBIT_SETUP_EXP_E1_FRACTION 1
-`define GUARDBIT_SETUP_EXP_E1_SIGNED 1
-`define GUARDBIT_SETUP_EXP_E1_MSB 73
-`define GUARDBIT_SETUP_EXP_E1_LSB 68
-`define GUARDBIT_SETUP_EXP_E1(row) row[73:68]
-// a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
-`define GUARDBIT_SETUP_EXP_A1_WIDTH 6
-`define GUARDBIT_SETUP_EXP_A1_FRACTION 1
-`define GUARDBIT_SETUP_EXP_A1_SIGNED 1
-`define GUARDBIT_SETUP_EXP_A1_MSB 65
-`define GUARDBIT_SETUP_EXP_A1_LSB 60
-`define GUARDBIT_SETUP_EXP_A1(row) row[65:60]
-// b1: signed, width 6, fraction bits 1. Edge 1, step per row downward.
-`define GUARDBIT_SETUP_EXP_B1_WIDTH 6
-`define GUARDBIT_SETUP_EXP_B1_FRACTION 1
-`define GUARDBIT_SETUP_EXP_B1_SIGNED 1
-`define GUARDBIT_SETUP_EXP_B1_MSB 57
-`define GUARDBIT_SETUP_EXP_B1_LSB 52
-`define GUARDBIT_SETUP_EXP_B1(row) row[57:52]
-// e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
-`define GUARDBIT_SETUP_EXP_E2_WIDTH 6
-`define GUARDBIT_SETUP_EXP_E2_FRACTION 1
-`define GUARDBIT_SETUP_EXP_E2_SIGNED 1
-`define GUARDBIT_SETUP_EXP_E2_MSB 49
-`define GUARDBIT_SETUP_EXP_E2_LSB 44
-`define GUARDBIT_SETUP_EXP_E2(row) row[49:44]
-// a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
-`define GUARDBIT_SETUP_EXP_A2_WIDTH 6
-`define GUARDBIT_SETUP_EXP_A2_FRACTION 1
-`define GUARDBIT_SETUP_EXP_A2_SIGNED 1
-`define GUARDBIT_SETUP_EXP_A2_MSB 41
-`define GUARDBIT_SETUP_EXP_A2_LSB 36
-`define GUARDBIT_SETUP_EXP_A2(row) row[41:36]
-// b2: signed, width 6, fraction bits 1. Edge 2, step per row downward.
-`define GUARDBIT_SETUP_EXP_B2_WIDTH 6
-`define GUARDBIT_SETUP_EXP_B2_FRACTION 1
-`define GUARDBIT_SETUP_EXP_B2_SIGNED 1
-`define GUARDBIT_SETUP_EXP_B2_MSB 33
-`define GUARDBIT_SETUP_EXP_B2_LSB 28
-`define GUARDBIT_SETUP_EXP_B2(row) row[33:28]
-// z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
-`define GUARDBIT_SETUP_EXP_Z_WIDTH 7
-`define GUARDBIT_SETUP_EXP_Z_FRACTION 3
-`define GUARDBIT_SETUP_EXP_Z_SIGNED 1
-`define GUARDBIT_SETUP_EXP_Z_MSB 26
-`define GUARDBIT_SETUP_EXP_Z_LSB 20
-`define GUARDBIT_SETUP_EXP_Z(row) row[26:20]
-// dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
-`define GUARDBIT_SETUP_EXP_DZDX_WIDTH 7
-`define GUARDBIT_SETUP_EXP_DZDX_FRACTION 3
-`define GUARDBIT_SETUP_EXP_DZDX_SIGNED 1
-`define GUARDBIT_SETUP_EXP_DZDX_MSB 18
-`define GUARDBIT_SETUP_EXP_DZDX_LSB 12
-`define GUARDBIT_SETUP_EXP_DZDX(row) row[18:12]
-// dzdy: signed, width 7, fraction bits 3. Depth slope per row downward.
-`define GUARDBIT_SETUP_EXP_DZDY_WIDTH 7
-`define GUARDBIT_SETUP_EXP_DZDY_FRACTION 3
-`define GUARDBIT_SETUP_EXP_DZDY_SIGNED 1
-`define GUARDBIT_SETUP_EXP_DZDY_MSB 10
-`define GUARDBIT_SETUP_EXP_DZDY_LSB 4
-`define GUARDBIT_SETUP_EXP_DZDY(row) row[10:4]
+// edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
+`define GUARDBIT_SETUP_EXP_EDGE0_INIT_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE0_INIT_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE0_INIT_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE0_INIT_MSB 97
+`define GUARDBIT_SETUP_EXP_EDGE0_INIT_LSB 92
+`define GUARDBIT_SETUP_EXP_EDGE0_INIT(row) row[97:92]
+// edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
+`define GUARDBIT_SETUP_EXP_EDGE0_DX_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE0_DX_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE0_DX_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE0_DX_MSB 89
+`define GUARDBIT_SETUP_EXP_EDGE0_DX_LSB 84
+`define GUARDBIT_SETUP_EXP_EDGE0_DX(row) row[89:84]
+// edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward.
+`define GUARDBIT_SETUP_EXP_EDGE0_DY_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE0_DY_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE0_DY_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE0_DY_MSB 81
+`define GUARDBIT_SETUP_EXP_EDGE0_DY_LSB 76
+`define GUARDBIT_SETUP_EXP_EDGE0_DY(row) row[81:76]
+// edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
+`define GUARDBIT_SETUP_EXP_EDGE1_INIT_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE1_INIT_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE1_INIT_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE1_INIT_MSB 73
+`define GUARDBIT_SETUP_EXP_EDGE1_INIT_LSB 68
+`define GUARDBIT_SETUP_EXP_EDGE1_INIT(row) row[73:68]
+// edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
+`define GUARDBIT_SETUP_EXP_EDGE1_DX_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE1_DX_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE1_DX_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE1_DX_MSB 65
+`define GUARDBIT_SETUP_EXP_EDGE1_DX_LSB 60
+`define GUARDBIT_SETUP_EXP_EDGE1_DX(row) row[65:60]
+// edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward.
+`define GUARDBIT_SETUP_EXP_EDGE1_DY_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE1_DY_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE1_DY_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE1_DY_MSB 57
+`define GUARDBIT_SETUP_EXP_EDGE1_DY_LSB 52
+`define GUARDBIT_SETUP_EXP_EDGE1_DY(row) row[57:52]
+// edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
+`define GUARDBIT_SETUP_EXP_EDGE2_INIT_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE2_INIT_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE2_INIT_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE2_INIT_MSB 49
+`define GUARDBIT_SETUP_EXP_EDGE2_INIT_LSB 44
+`define GUARDBIT_SETUP_EXP_EDGE2_INIT(row) row[49:44]
+// edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
+`define GUARDBIT_SETUP_EXP_EDGE2_DX_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE2_DX_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE2_DX_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE2_DX_MSB 41
+`define GUARDBIT_SETUP_EXP_EDGE2_DX_LSB 36
+`define GUARDBIT_SETUP_EXP_EDGE2_DX(row) row[41:36]
+// edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward.
+`define GUARDBIT_SETUP_EXP_EDGE2_DY_WIDTH 6
+`define GUARDBIT_SETUP_EXP_EDGE2_DY_FRACTION 1
+`define GUARDBIT_SETUP_EXP_EDGE2_DY_SIGNED 1
+`define GUARDBIT_SETUP_EXP_EDGE2_DY_MSB 33
+`define GUARDBIT_SETUP_EXP_EDGE2_DY_LSB 28
+`define GUARDBIT_SETUP_EXP_EDGE2_DY(row) row[33:28]
+// depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
+`define GUARDBIT_SETUP_EXP_DEPTH_INIT_WIDTH 7
+`define GUARDBIT_SETUP_EXP_DEPTH_INIT_FRACTION 3
+`define GUARDBIT_SETUP_EXP_DEPTH_INIT_SIGNED 1
+`define GUARDBIT_SETUP_EXP_DEPTH_INIT_MSB 26
+`define GUARDBIT_SETUP_EXP_DEPTH_INIT_LSB 20
+`define GUARDBIT_SETUP_EXP_DEPTH_INIT(row) row[26:20]
+// depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
+`define GUARDBIT_SETUP_EXP_DEPTH_DX_WIDTH 7
+`define GUARDBIT_SETUP_EXP_DEPTH_DX_FRACTION 3
+`define GUARDBIT_SETUP_EXP_DEPTH_DX_SIGNED 1
+`define GUARDBIT_SETUP_EXP_DEPTH_DX_MSB 18
+`define GUARDBIT_SETUP_EXP_DEPTH_DX_LSB 12
+`define GUARDBIT_SETUP_EXP_DEPTH_DX(row) row[18:12]
+// depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward.
+`define GUARDBIT_SETUP_EXP_DEPTH_DY_WIDTH 7
+`define GUARDBIT_SETUP_EXP_DEPTH_DY_FRACTION 3
+`define GUARDBIT_SETUP_EXP_DEPTH_DY_SIGNED 1
+`define GUARDBIT_SETUP_EXP_DEPTH_DY_MSB 10
+`define GUARDBIT_SETUP_EXP_DEPTH_DY_LSB 4
+`define GUARDBIT_SETUP_EXP_DEPTH_DY(row) row[10:4]
 // zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
 `define GUARDBIT_SETUP_EXP_ZERO_AREA_WIDTH 1
 `define GUARDBIT_SETUP_EXP_ZERO_AREA_FRACTION 0
@@ -316,90 +316,90 @@
 `define GUARDBIT_TRIANGLE_CFG_TEST_MSB 211
 `define GUARDBIT_TRIANGLE_CFG_TEST_LSB 180
 `define GUARDBIT_TRIANGLE_CFG_TEST(row) row[211:180]
-// e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
-`define GUARDBIT_TRIANGLE_CFG_E0_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_E0_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_E0_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_E0_MSB 177
-`define GUARDBIT_TRIANGLE_CFG_E0_LSB 172
-`define GUARDBIT_TRIANGLE_CFG_E0(row) row[177:172]
-// a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
-`define GUARDBIT_TRIANGLE_CFG_A0_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_A0_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_A0_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_A0_MSB 169
-`define GUARDBIT_TRIANGLE_CFG_A0_LSB 164
-`define GUARDBIT_TRIANGLE_CFG_A0(row) row[169:164]
-// b0: signed, width 6, fraction bits 1. Edge 0, step per row downward.
-`define GUARDBIT_TRIANGLE_CFG_B0_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_B0_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_B0_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_B0_MSB 161
-`define GUARDBIT_TRIANGLE_CFG_B0_LSB 156
-`define GUARDBIT_TRIANGLE_CFG_B0(row) row[161:156]
-// e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
-`define GUARDBIT_TRIANGLE_CFG_E1_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_E1_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_E1_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_E1_MSB 153
-`define GUARDBIT_TRIANGLE_CFG_E1_LSB 148
-`define GUARDBIT_TRIANGLE_CFG_E1(row) row[153:148]
-// a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
-`define GUARDBIT_TRIANGLE_CFG_A1_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_A1_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_A1_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_A1_MSB 145
-`define GUARDBIT_TRIANGLE_CFG_A1_LSB 140
-`define GUARDBIT_TRIANGLE_CFG_A1(row) row[145:140]
-// b1: signed, width 6, fraction bits 1. Edge 1, step per row downward.
-`define GUARDBIT_TRIANGLE_CFG_B1_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_B1_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_B1_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_B1_MSB 137
-`define GUARDBIT_TRIANGLE_CFG_B1_LSB 132
-`define GUARDBIT_TRIANGLE_CFG_B1(row) row[137:132]
-// e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
-`define GUARDBIT_TRIANGLE_CFG_E2_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_E2_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_E2_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_E2_MSB 129
-`define GUARDBIT_TRIANGLE_CFG_E2_LSB 124
-`define GUARDBIT_TRIANGLE_CFG_E2(row) row[129:124]
-// a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
-`define GUARDBIT_TRIANGLE_CFG_A2_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_A2_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_A2_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_A2_MSB 121
-`define GUARDBIT_TRIANGLE_CFG_A2_LSB 116
-`define GUARDBIT_TRIANGLE_CFG_A2(row) row[121:116]
-// b2: signed, width 6, fraction bits 1. Edge 2, step per row downward.
-`define GUARDBIT_TRIANGLE_CFG_B2_WIDTH 6
-`define GUARDBIT_TRIANGLE_CFG_B2_FRACTION 1
-`define GUARDBIT_TRIANGLE_CFG_B2_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_B2_MSB 113
-`define GUARDBIT_TRIANGLE_CFG_B2_LSB 108
-`define GUARDBIT_TRIANGLE_CFG_B2(row) row[113:108]
-// z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
-`define GUARDBIT_TRIANGLE_CFG_Z_WIDTH 7
-`define GUARDBIT_TRIANGLE_CFG_Z_FRACTION 3
-`define GUARDBIT_TRIANGLE_CFG_Z_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_Z_MSB 106
-`define GUARDBIT_TRIANGLE_CFG_Z_LSB 100
-`define GUARDBIT_TRIANGLE_CFG_Z(row) row[106:100]
-// dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
-`define GUARDBIT_TRIANGLE_CFG_DZDX_WIDTH 7
-`define GUARDBIT_TRIANGLE_CFG_DZDX_FRACTION 3
-`define GUARDBIT_TRIANGLE_CFG_DZDX_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_DZDX_MSB 98
-`define GUARDBIT_TRIANGLE_CFG_DZDX_LSB 92
-`define GUARDBIT_TRIANGLE_CFG_DZDX(row) row[98:92]
-// dzdy: signed, width 7, fraction bits 3. Depth slope per row downward.
-`define GUARDBIT_TRIANGLE_CFG_DZDY_WIDTH 7
-`define GUARDBIT_TRIANGLE_CFG_DZDY_FRACTION 3
-`define GUARDBIT_TRIANGLE_CFG_DZDY_SIGNED 1
-`define GUARDBIT_TRIANGLE_CFG_DZDY_MSB 90
-`define GUARDBIT_TRIANGLE_CFG_DZDY_LSB 84
-`define GUARDBIT_TRIANGLE_CFG_DZDY(row) row[90:84]
+// edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_MSB 177
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT_LSB 172
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_INIT(row) row[177:172]
+// edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_MSB 169
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DX_LSB 164
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DX(row) row[169:164]
+// edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward.
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_MSB 161
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DY_LSB 156
+`define GUARDBIT_TRIANGLE_CFG_EDGE0_DY(row) row[161:156]
+// edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_MSB 153
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT_LSB 148
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_INIT(row) row[153:148]
+// edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_MSB 145
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DX_LSB 140
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DX(row) row[145:140]
+// edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward.
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_MSB 137
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DY_LSB 132
+`define GUARDBIT_TRIANGLE_CFG_EDGE1_DY(row) row[137:132]
+// edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_MSB 129
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT_LSB 124
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_INIT(row) row[129:124]
+// edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_MSB 121
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DX_LSB 116
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DX(row) row[121:116]
+// edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward.
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_WIDTH 6
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_FRACTION 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_MSB 113
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DY_LSB 108
+`define GUARDBIT_TRIANGLE_CFG_EDGE2_DY(row) row[113:108]
+// depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_WIDTH 7
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_FRACTION 3
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_MSB 106
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT_LSB 100
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_INIT(row) row[106:100]
+// depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_WIDTH 7
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_FRACTION 3
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_MSB 98
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DX_LSB 92
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DX(row) row[98:92]
+// depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward.
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_WIDTH 7
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_FRACTION 3
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_SIGNED 1
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_MSB 90
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DY_LSB 84
+`define GUARDBIT_TRIANGLE_CFG_DEPTH_DY(row) row[90:84]
 // zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
 `define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_WIDTH 1
 `define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_FRACTION 0
@@ -407,34 +407,34 @@
 `define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_MSB 80
 `define GUARDBIT_TRIANGLE_CFG_ZERO_AREA_LSB 80
 `define GUARDBIT_TRIANGLE_CFG_ZERO_AREA(row) row[80:80]
-// x0: unsigned, width 17, fraction bits 0. First column of the bounding box in the window.
-`define GUARDBIT_TRIANGLE_CFG_X0_WIDTH 17
-`define GUARDBIT_TRIANGLE_CFG_X0_FRACTION 0
-`define GUARDBIT_TRIANGLE_CFG_X0_SIGNED 0
-`define GUARDBIT_TRIANGLE_CFG_X0_MSB 76
-`define GUARDBIT_TRIANGLE_CFG_X0_LSB 60
-`define GUARDBIT_TRIANGLE_CFG_X0(row) row[76:60]
-// y0: unsigned, width 17, fraction bits 0. First row of the bounding box.
-`define GUARDBIT_TRIANGLE_CFG_Y0_WIDTH 17
-`define GUARDBIT_TRIANGLE_CFG_Y0_FRACTION 0
-`define GUARDBIT_TRIANGLE_CFG_Y0_SIGNED 0
-`define GUARDBIT_TRIANGLE_CFG_Y0_MSB 56
-`define GUARDBIT_TRIANGLE_CFG_Y0_LSB 40
-`define GUARDBIT_TRIANGLE_CFG_Y0(row) row[56:40]
-// x1: unsigned, width 17, fraction bits 0. One past its last column.
-`define GUARDBIT_TRIANGLE_CFG_X1_WIDTH 17
-`define GUARDBIT_TRIANGLE_CFG_X1_FRACTION 0
-`define GUARDBIT_TRIANGLE_CFG_X1_SIGNED 0
-`define GUARDBIT_TRIANGLE_CFG_X1_MSB 36
-`define GUARDBIT_TRIANGLE_CFG_X1_LSB 20
-`define GUARDBIT_TRIANGLE_CFG_X1(row) row[36:20]
-// y1: unsigned, width 17, fraction bits 0. One past its last row.
-`define GUARDBIT_TRIANGLE_CFG_Y1_WIDTH 17
-`define GUARDBIT_TRIANGLE_CFG_Y1_FRACTION 0
-`define GUARDBIT_TRIANGLE_CFG_Y1_SIGNED 0
-`define GUARDBIT_TRIANGLE_CFG_Y1_MSB 16
-`define GUARDBIT_TRIANGLE_CFG_Y1_LSB 0
-`define GUARDBIT_TRIANGLE_CFG_Y1(row) row[16:0]
+// box_y_begin: unsigned, width 17, fraction bits 0. First row of the bounding box in the window.
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_WIDTH 17
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_FRACTION 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_SIGNED 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_MSB 76
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN_LSB 60
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_BEGIN(row) row[76:60]
+// box_y_end: unsigned, width 17, fraction bits 0. One past its last row.
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_WIDTH 17
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_FRACTION 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_SIGNED 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_MSB 56
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_END_LSB 40
+`define GUARDBIT_TRIANGLE_CFG_BOX_Y_END(row) row[56:40]
+// box_x_begin: unsigned, width 17, fraction bits 0. First column of the bounding box.
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_WIDTH 17
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_FRACTION 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_SIGNED 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_MSB 36
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN_LSB 20
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_BEGIN(row) row[36:20]
+// box_x_end: unsigned, width 17, fraction bits 0. One past its last column.
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_END_WIDTH 17
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_END_FRACTION 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_END_SIGNED 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_END_MSB 16
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_END_LSB 0
+`define GUARDBIT_TRIANGLE_CFG_BOX_X_END(row) row[16:0]
 
 // triangle.exp.tv: rows, characters of a line with its newline, bits of a record
 `define GUARDBIT_TRIANGLE_EXP_ROWS 64'd130
@@ -490,7 +490,7 @@
 `define GUARDBIT_TRIANGLE_EXP_INEXACT_MSB 35
 `define GUARDBIT_TRIANGLE_EXP_INEXACT_LSB 4
 `define GUARDBIT_TRIANGLE_EXP_INEXACT(row) row[35:4]
-// zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area.
+// zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
 `define GUARDBIT_TRIANGLE_EXP_ZERO_AREA_WIDTH 1
 `define GUARDBIT_TRIANGLE_EXP_ZERO_AREA_FRACTION 0
 `define GUARDBIT_TRIANGLE_EXP_ZERO_AREA_SIGNED 0
@@ -517,20 +517,20 @@
 `define GUARDBIT_SPAN_EXP_Y_MSB 56
 `define GUARDBIT_SPAN_EXP_Y_LSB 40
 `define GUARDBIT_SPAN_EXP_Y(row) row[56:40]
-// x0: unsigned, width 17, fraction bits 0. First covered column.
-`define GUARDBIT_SPAN_EXP_X0_WIDTH 17
-`define GUARDBIT_SPAN_EXP_X0_FRACTION 0
-`define GUARDBIT_SPAN_EXP_X0_SIGNED 0
-`define GUARDBIT_SPAN_EXP_X0_MSB 36
-`define GUARDBIT_SPAN_EXP_X0_LSB 20
-`define GUARDBIT_SPAN_EXP_X0(row) row[36:20]
-// x1: unsigned, width 17, fraction bits 0. One past the last covered column.
-`define GUARDBIT_SPAN_EXP_X1_WIDTH 17
-`define GUARDBIT_SPAN_EXP_X1_FRACTION 0
-`define GUARDBIT_SPAN_EXP_X1_SIGNED 0
-`define GUARDBIT_SPAN_EXP_X1_MSB 16
-`define GUARDBIT_SPAN_EXP_X1_LSB 0
-`define GUARDBIT_SPAN_EXP_X1(row) row[16:0]
+// x_begin: unsigned, width 17, fraction bits 0. First covered column.
+`define GUARDBIT_SPAN_EXP_X_BEGIN_WIDTH 17
+`define GUARDBIT_SPAN_EXP_X_BEGIN_FRACTION 0
+`define GUARDBIT_SPAN_EXP_X_BEGIN_SIGNED 0
+`define GUARDBIT_SPAN_EXP_X_BEGIN_MSB 36
+`define GUARDBIT_SPAN_EXP_X_BEGIN_LSB 20
+`define GUARDBIT_SPAN_EXP_X_BEGIN(row) row[36:20]
+// x_end: unsigned, width 17, fraction bits 0. One past the last covered column.
+`define GUARDBIT_SPAN_EXP_X_END_WIDTH 17
+`define GUARDBIT_SPAN_EXP_X_END_FRACTION 0
+`define GUARDBIT_SPAN_EXP_X_END_SIGNED 0
+`define GUARDBIT_SPAN_EXP_X_END_MSB 16
+`define GUARDBIT_SPAN_EXP_X_END_LSB 0
+`define GUARDBIT_SPAN_EXP_X_END(row) row[16:0]
 
 // depth.exp.tv: rows, characters of a line with its newline, bits of a record
 `define GUARDBIT_DEPTH_EXP_ROWS 64'd193
@@ -544,26 +544,26 @@
 `define GUARDBIT_DEPTH_EXP_TEST_MSB 75
 `define GUARDBIT_DEPTH_EXP_TEST_LSB 44
 `define GUARDBIT_DEPTH_EXP_TEST(row) row[75:44]
-// x: unsigned, width 17, fraction bits 0. Column.
-`define GUARDBIT_DEPTH_EXP_X_WIDTH 17
-`define GUARDBIT_DEPTH_EXP_X_FRACTION 0
-`define GUARDBIT_DEPTH_EXP_X_SIGNED 0
-`define GUARDBIT_DEPTH_EXP_X_MSB 40
-`define GUARDBIT_DEPTH_EXP_X_LSB 24
-`define GUARDBIT_DEPTH_EXP_X(row) row[40:24]
 // y: unsigned, width 17, fraction bits 0. Row.
 `define GUARDBIT_DEPTH_EXP_Y_WIDTH 17
 `define GUARDBIT_DEPTH_EXP_Y_FRACTION 0
 `define GUARDBIT_DEPTH_EXP_Y_SIGNED 0
-`define GUARDBIT_DEPTH_EXP_Y_MSB 20
-`define GUARDBIT_DEPTH_EXP_Y_LSB 4
-`define GUARDBIT_DEPTH_EXP_Y(row) row[20:4]
-// z: unsigned, width 3, fraction bits 0. Depth read-out after the clamp.
-`define GUARDBIT_DEPTH_EXP_Z_WIDTH 3
-`define GUARDBIT_DEPTH_EXP_Z_FRACTION 0
-`define GUARDBIT_DEPTH_EXP_Z_SIGNED 0
-`define GUARDBIT_DEPTH_EXP_Z_MSB 2
-`define GUARDBIT_DEPTH_EXP_Z_LSB 0
-`define GUARDBIT_DEPTH_EXP_Z(row) row[2:0]
+`define GUARDBIT_DEPTH_EXP_Y_MSB 40
+`define GUARDBIT_DEPTH_EXP_Y_LSB 24
+`define GUARDBIT_DEPTH_EXP_Y(row) row[40:24]
+// x: unsigned, width 17, fraction bits 0. Column.
+`define GUARDBIT_DEPTH_EXP_X_WIDTH 17
+`define GUARDBIT_DEPTH_EXP_X_FRACTION 0
+`define GUARDBIT_DEPTH_EXP_X_SIGNED 0
+`define GUARDBIT_DEPTH_EXP_X_MSB 20
+`define GUARDBIT_DEPTH_EXP_X_LSB 4
+`define GUARDBIT_DEPTH_EXP_X(row) row[20:4]
+// depth: unsigned, width 3, fraction bits 0. Depth read-out after the clamp.
+`define GUARDBIT_DEPTH_EXP_DEPTH_WIDTH 3
+`define GUARDBIT_DEPTH_EXP_DEPTH_FRACTION 0
+`define GUARDBIT_DEPTH_EXP_DEPTH_SIGNED 0
+`define GUARDBIT_DEPTH_EXP_DEPTH_MSB 2
+`define GUARDBIT_DEPTH_EXP_DEPTH_LSB 0
+`define GUARDBIT_DEPTH_EXP_DEPTH(row) row[2:0]
 
 `endif

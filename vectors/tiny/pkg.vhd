@@ -129,52 +129,52 @@ package guardbit_pkg is
     constant SETUP_CFG_LINE : positive := 17;
     constant SETUP_CFG_BITS : positive := 36;
     constant SETUP_CFG_PADS : std_logic_vector(35 downto 0) := x"008008008";
-    -- x0: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels.
-    constant SETUP_CFG_X0_WIDTH : positive := 4;
-    constant SETUP_CFG_X0_FRACTION : natural := 1;
-    constant SETUP_CFG_X0_SIGNED : boolean := false;
-    -- y0: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels.
-    constant SETUP_CFG_Y0_WIDTH : positive := 4;
-    constant SETUP_CFG_Y0_FRACTION : natural := 1;
-    constant SETUP_CFG_Y0_SIGNED : boolean := false;
-    -- z0: unsigned, width 3, fraction bits 0. Vertex 0, depth code.
-    constant SETUP_CFG_Z0_WIDTH : positive := 3;
-    constant SETUP_CFG_Z0_FRACTION : natural := 0;
-    constant SETUP_CFG_Z0_SIGNED : boolean := false;
-    -- x1: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels.
-    constant SETUP_CFG_X1_WIDTH : positive := 4;
-    constant SETUP_CFG_X1_FRACTION : natural := 1;
-    constant SETUP_CFG_X1_SIGNED : boolean := false;
-    -- y1: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels.
-    constant SETUP_CFG_Y1_WIDTH : positive := 4;
-    constant SETUP_CFG_Y1_FRACTION : natural := 1;
-    constant SETUP_CFG_Y1_SIGNED : boolean := false;
-    -- z1: unsigned, width 3, fraction bits 0. Vertex 1, depth code.
-    constant SETUP_CFG_Z1_WIDTH : positive := 3;
-    constant SETUP_CFG_Z1_FRACTION : natural := 0;
-    constant SETUP_CFG_Z1_SIGNED : boolean := false;
-    -- x2: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels.
-    constant SETUP_CFG_X2_WIDTH : positive := 4;
-    constant SETUP_CFG_X2_FRACTION : natural := 1;
-    constant SETUP_CFG_X2_SIGNED : boolean := false;
-    -- y2: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels.
-    constant SETUP_CFG_Y2_WIDTH : positive := 4;
-    constant SETUP_CFG_Y2_FRACTION : natural := 1;
-    constant SETUP_CFG_Y2_SIGNED : boolean := false;
-    -- z2: unsigned, width 3, fraction bits 0. Vertex 2, depth code.
-    constant SETUP_CFG_Z2_WIDTH : positive := 3;
-    constant SETUP_CFG_Z2_FRACTION : natural := 0;
-    constant SETUP_CFG_Z2_SIGNED : boolean := false;
+    -- v0_x: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels.
+    constant SETUP_CFG_V0_X_WIDTH : positive := 4;
+    constant SETUP_CFG_V0_X_FRACTION : natural := 1;
+    constant SETUP_CFG_V0_X_SIGNED : boolean := false;
+    -- v0_y: unsigned, width 4, fraction bits 1. Vertex 0, y in sub-pixels.
+    constant SETUP_CFG_V0_Y_WIDTH : positive := 4;
+    constant SETUP_CFG_V0_Y_FRACTION : natural := 1;
+    constant SETUP_CFG_V0_Y_SIGNED : boolean := false;
+    -- v0_z: unsigned, width 3, fraction bits 0. Vertex 0, depth code.
+    constant SETUP_CFG_V0_Z_WIDTH : positive := 3;
+    constant SETUP_CFG_V0_Z_FRACTION : natural := 0;
+    constant SETUP_CFG_V0_Z_SIGNED : boolean := false;
+    -- v1_x: unsigned, width 4, fraction bits 1. Vertex 1, x in sub-pixels.
+    constant SETUP_CFG_V1_X_WIDTH : positive := 4;
+    constant SETUP_CFG_V1_X_FRACTION : natural := 1;
+    constant SETUP_CFG_V1_X_SIGNED : boolean := false;
+    -- v1_y: unsigned, width 4, fraction bits 1. Vertex 1, y in sub-pixels.
+    constant SETUP_CFG_V1_Y_WIDTH : positive := 4;
+    constant SETUP_CFG_V1_Y_FRACTION : natural := 1;
+    constant SETUP_CFG_V1_Y_SIGNED : boolean := false;
+    -- v1_z: unsigned, width 3, fraction bits 0. Vertex 1, depth code.
+    constant SETUP_CFG_V1_Z_WIDTH : positive := 3;
+    constant SETUP_CFG_V1_Z_FRACTION : natural := 0;
+    constant SETUP_CFG_V1_Z_SIGNED : boolean := false;
+    -- v2_x: unsigned, width 4, fraction bits 1. Vertex 2, x in sub-pixels.
+    constant SETUP_CFG_V2_X_WIDTH : positive := 4;
+    constant SETUP_CFG_V2_X_FRACTION : natural := 1;
+    constant SETUP_CFG_V2_X_SIGNED : boolean := false;
+    -- v2_y: unsigned, width 4, fraction bits 1. Vertex 2, y in sub-pixels.
+    constant SETUP_CFG_V2_Y_WIDTH : positive := 4;
+    constant SETUP_CFG_V2_Y_FRACTION : natural := 1;
+    constant SETUP_CFG_V2_Y_SIGNED : boolean := false;
+    -- v2_z: unsigned, width 3, fraction bits 0. Vertex 2, depth code.
+    constant SETUP_CFG_V2_Z_WIDTH : positive := 3;
+    constant SETUP_CFG_V2_Z_FRACTION : natural := 0;
+    constant SETUP_CFG_V2_Z_SIGNED : boolean := false;
     type setup_cfg_t is record
-        x0 : std_logic_vector(3 downto 0);
-        y0 : std_logic_vector(3 downto 0);
-        z0 : std_logic_vector(2 downto 0);
-        x1 : std_logic_vector(3 downto 0);
-        y1 : std_logic_vector(3 downto 0);
-        z1 : std_logic_vector(2 downto 0);
-        x2 : std_logic_vector(3 downto 0);
-        y2 : std_logic_vector(3 downto 0);
-        z2 : std_logic_vector(2 downto 0);
+        v0_x : std_logic_vector(3 downto 0);
+        v0_y : std_logic_vector(3 downto 0);
+        v0_z : std_logic_vector(2 downto 0);
+        v1_x : std_logic_vector(3 downto 0);
+        v1_y : std_logic_vector(3 downto 0);
+        v1_z : std_logic_vector(2 downto 0);
+        v2_x : std_logic_vector(3 downto 0);
+        v2_y : std_logic_vector(3 downto 0);
+        v2_z : std_logic_vector(2 downto 0);
     end record setup_cfg_t;
     function to_setup_cfg(bits : std_logic_vector) return setup_cfg_t;
 
@@ -183,71 +183,71 @@ package guardbit_pkg is
     constant SETUP_EXP_LINE : positive := 37;
     constant SETUP_EXP_BITS : positive := 100;
     constant SETUP_EXP_PADS : std_logic_vector(99 downto 0) := x"c0c0c0c0c0c0c0c0c0808080e";
-    -- e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
-    constant SETUP_EXP_E0_WIDTH : positive := 6;
-    constant SETUP_EXP_E0_FRACTION : natural := 1;
-    constant SETUP_EXP_E0_SIGNED : boolean := true;
-    -- a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
-    constant SETUP_EXP_A0_WIDTH : positive := 6;
-    constant SETUP_EXP_A0_FRACTION : natural := 1;
-    constant SETUP_EXP_A0_SIGNED : boolean := true;
-    -- b0: signed, width 6, fraction bits 1. Edge 0, step per row downward.
-    constant SETUP_EXP_B0_WIDTH : positive := 6;
-    constant SETUP_EXP_B0_FRACTION : natural := 1;
-    constant SETUP_EXP_B0_SIGNED : boolean := true;
-    -- e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
-    constant SETUP_EXP_E1_WIDTH : positive := 6;
-    constant SETUP_EXP_E1_FRACTION : natural := 1;
-    constant SETUP_EXP_E1_SIGNED : boolean := true;
-    -- a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
-    constant SETUP_EXP_A1_WIDTH : positive := 6;
-    constant SETUP_EXP_A1_FRACTION : natural := 1;
-    constant SETUP_EXP_A1_SIGNED : boolean := true;
-    -- b1: signed, width 6, fraction bits 1. Edge 1, step per row downward.
-    constant SETUP_EXP_B1_WIDTH : positive := 6;
-    constant SETUP_EXP_B1_FRACTION : natural := 1;
-    constant SETUP_EXP_B1_SIGNED : boolean := true;
-    -- e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
-    constant SETUP_EXP_E2_WIDTH : positive := 6;
-    constant SETUP_EXP_E2_FRACTION : natural := 1;
-    constant SETUP_EXP_E2_SIGNED : boolean := true;
-    -- a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
-    constant SETUP_EXP_A2_WIDTH : positive := 6;
-    constant SETUP_EXP_A2_FRACTION : natural := 1;
-    constant SETUP_EXP_A2_SIGNED : boolean := true;
-    -- b2: signed, width 6, fraction bits 1. Edge 2, step per row downward.
-    constant SETUP_EXP_B2_WIDTH : positive := 6;
-    constant SETUP_EXP_B2_FRACTION : natural := 1;
-    constant SETUP_EXP_B2_SIGNED : boolean := true;
-    -- z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
-    constant SETUP_EXP_Z_WIDTH : positive := 7;
-    constant SETUP_EXP_Z_FRACTION : natural := 3;
-    constant SETUP_EXP_Z_SIGNED : boolean := true;
-    -- dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
-    constant SETUP_EXP_DZDX_WIDTH : positive := 7;
-    constant SETUP_EXP_DZDX_FRACTION : natural := 3;
-    constant SETUP_EXP_DZDX_SIGNED : boolean := true;
-    -- dzdy: signed, width 7, fraction bits 3. Depth slope per row downward.
-    constant SETUP_EXP_DZDY_WIDTH : positive := 7;
-    constant SETUP_EXP_DZDY_FRACTION : natural := 3;
-    constant SETUP_EXP_DZDY_SIGNED : boolean := true;
+    -- edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
+    constant SETUP_EXP_EDGE0_INIT_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE0_INIT_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE0_INIT_SIGNED : boolean := true;
+    -- edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
+    constant SETUP_EXP_EDGE0_DX_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE0_DX_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE0_DX_SIGNED : boolean := true;
+    -- edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward.
+    constant SETUP_EXP_EDGE0_DY_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE0_DY_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE0_DY_SIGNED : boolean := true;
+    -- edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
+    constant SETUP_EXP_EDGE1_INIT_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE1_INIT_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE1_INIT_SIGNED : boolean := true;
+    -- edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
+    constant SETUP_EXP_EDGE1_DX_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE1_DX_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE1_DX_SIGNED : boolean := true;
+    -- edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward.
+    constant SETUP_EXP_EDGE1_DY_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE1_DY_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE1_DY_SIGNED : boolean := true;
+    -- edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
+    constant SETUP_EXP_EDGE2_INIT_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE2_INIT_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE2_INIT_SIGNED : boolean := true;
+    -- edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
+    constant SETUP_EXP_EDGE2_DX_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE2_DX_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE2_DX_SIGNED : boolean := true;
+    -- edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward.
+    constant SETUP_EXP_EDGE2_DY_WIDTH : positive := 6;
+    constant SETUP_EXP_EDGE2_DY_FRACTION : natural := 1;
+    constant SETUP_EXP_EDGE2_DY_SIGNED : boolean := true;
+    -- depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
+    constant SETUP_EXP_DEPTH_INIT_WIDTH : positive := 7;
+    constant SETUP_EXP_DEPTH_INIT_FRACTION : natural := 3;
+    constant SETUP_EXP_DEPTH_INIT_SIGNED : boolean := true;
+    -- depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
+    constant SETUP_EXP_DEPTH_DX_WIDTH : positive := 7;
+    constant SETUP_EXP_DEPTH_DX_FRACTION : natural := 3;
+    constant SETUP_EXP_DEPTH_DX_SIGNED : boolean := true;
+    -- depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward.
+    constant SETUP_EXP_DEPTH_DY_WIDTH : positive := 7;
+    constant SETUP_EXP_DEPTH_DY_FRACTION : natural := 3;
+    constant SETUP_EXP_DEPTH_DY_SIGNED : boolean := true;
     -- zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
     constant SETUP_EXP_ZERO_AREA_WIDTH : positive := 1;
     constant SETUP_EXP_ZERO_AREA_FRACTION : natural := 0;
     constant SETUP_EXP_ZERO_AREA_SIGNED : boolean := false;
     type setup_exp_t is record
-        e0 : std_logic_vector(5 downto 0);
-        a0 : std_logic_vector(5 downto 0);
-        b0 : std_logic_vector(5 downto 0);
-        e1 : std_logic_vector(5 downto 0);
-        a1 : std_logic_vector(5 downto 0);
-        b1 : std_logic_vector(5 downto 0);
-        e2 : std_logic_vector(5 downto 0);
-        a2 : std_logic_vector(5 downto 0);
-        b2 : std_logic_vector(5 downto 0);
-        z : std_logic_vector(6 downto 0);
-        dzdx : std_logic_vector(6 downto 0);
-        dzdy : std_logic_vector(6 downto 0);
+        edge0_init : std_logic_vector(5 downto 0);
+        edge0_dx : std_logic_vector(5 downto 0);
+        edge0_dy : std_logic_vector(5 downto 0);
+        edge1_init : std_logic_vector(5 downto 0);
+        edge1_dx : std_logic_vector(5 downto 0);
+        edge1_dy : std_logic_vector(5 downto 0);
+        edge2_init : std_logic_vector(5 downto 0);
+        edge2_dx : std_logic_vector(5 downto 0);
+        edge2_dy : std_logic_vector(5 downto 0);
+        depth_init : std_logic_vector(6 downto 0);
+        depth_dx : std_logic_vector(6 downto 0);
+        depth_dy : std_logic_vector(6 downto 0);
         zero_area : std_logic_vector(0 downto 0);
     end record setup_exp_t;
     function to_setup_exp(bits : std_logic_vector) return setup_exp_t;
@@ -261,93 +261,93 @@ package guardbit_pkg is
     constant TRIANGLE_CFG_TEST_WIDTH : positive := 32;
     constant TRIANGLE_CFG_TEST_FRACTION : natural := 0;
     constant TRIANGLE_CFG_TEST_SIGNED : boolean := false;
-    -- e0: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
-    constant TRIANGLE_CFG_E0_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_E0_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_E0_SIGNED : boolean := true;
-    -- a0: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
-    constant TRIANGLE_CFG_A0_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_A0_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_A0_SIGNED : boolean := true;
-    -- b0: signed, width 6, fraction bits 1. Edge 0, step per row downward.
-    constant TRIANGLE_CFG_B0_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_B0_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_B0_SIGNED : boolean := true;
-    -- e1: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
-    constant TRIANGLE_CFG_E1_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_E1_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_E1_SIGNED : boolean := true;
-    -- a1: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
-    constant TRIANGLE_CFG_A1_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_A1_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_A1_SIGNED : boolean := true;
-    -- b1: signed, width 6, fraction bits 1. Edge 1, step per row downward.
-    constant TRIANGLE_CFG_B1_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_B1_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_B1_SIGNED : boolean := true;
-    -- e2: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
-    constant TRIANGLE_CFG_E2_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_E2_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_E2_SIGNED : boolean := true;
-    -- a2: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
-    constant TRIANGLE_CFG_A2_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_A2_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_A2_SIGNED : boolean := true;
-    -- b2: signed, width 6, fraction bits 1. Edge 2, step per row downward.
-    constant TRIANGLE_CFG_B2_WIDTH : positive := 6;
-    constant TRIANGLE_CFG_B2_FRACTION : natural := 1;
-    constant TRIANGLE_CFG_B2_SIGNED : boolean := true;
-    -- z: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
-    constant TRIANGLE_CFG_Z_WIDTH : positive := 7;
-    constant TRIANGLE_CFG_Z_FRACTION : natural := 3;
-    constant TRIANGLE_CFG_Z_SIGNED : boolean := true;
-    -- dzdx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
-    constant TRIANGLE_CFG_DZDX_WIDTH : positive := 7;
-    constant TRIANGLE_CFG_DZDX_FRACTION : natural := 3;
-    constant TRIANGLE_CFG_DZDX_SIGNED : boolean := true;
-    -- dzdy: signed, width 7, fraction bits 3. Depth slope per row downward.
-    constant TRIANGLE_CFG_DZDY_WIDTH : positive := 7;
-    constant TRIANGLE_CFG_DZDY_FRACTION : natural := 3;
-    constant TRIANGLE_CFG_DZDY_SIGNED : boolean := true;
+    -- edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored.
+    constant TRIANGLE_CFG_EDGE0_INIT_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE0_INIT_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE0_INIT_SIGNED : boolean := true;
+    -- edge0_dx: signed, width 6, fraction bits 1. Edge 0, step per pixel to the right.
+    constant TRIANGLE_CFG_EDGE0_DX_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE0_DX_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE0_DX_SIGNED : boolean := true;
+    -- edge0_dy: signed, width 6, fraction bits 1. Edge 0, step per row downward.
+    constant TRIANGLE_CFG_EDGE0_DY_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE0_DY_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE0_DY_SIGNED : boolean := true;
+    -- edge1_init: signed, width 6, fraction bits 1. Edge 1 at pixel (0, 0), biased and stored.
+    constant TRIANGLE_CFG_EDGE1_INIT_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE1_INIT_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE1_INIT_SIGNED : boolean := true;
+    -- edge1_dx: signed, width 6, fraction bits 1. Edge 1, step per pixel to the right.
+    constant TRIANGLE_CFG_EDGE1_DX_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE1_DX_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE1_DX_SIGNED : boolean := true;
+    -- edge1_dy: signed, width 6, fraction bits 1. Edge 1, step per row downward.
+    constant TRIANGLE_CFG_EDGE1_DY_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE1_DY_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE1_DY_SIGNED : boolean := true;
+    -- edge2_init: signed, width 6, fraction bits 1. Edge 2 at pixel (0, 0), biased and stored.
+    constant TRIANGLE_CFG_EDGE2_INIT_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE2_INIT_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE2_INIT_SIGNED : boolean := true;
+    -- edge2_dx: signed, width 6, fraction bits 1. Edge 2, step per pixel to the right.
+    constant TRIANGLE_CFG_EDGE2_DX_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE2_DX_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE2_DX_SIGNED : boolean := true;
+    -- edge2_dy: signed, width 6, fraction bits 1. Edge 2, step per row downward.
+    constant TRIANGLE_CFG_EDGE2_DY_WIDTH : positive := 6;
+    constant TRIANGLE_CFG_EDGE2_DY_FRACTION : natural := 1;
+    constant TRIANGLE_CFG_EDGE2_DY_SIGNED : boolean := true;
+    -- depth_init: signed, width 7, fraction bits 3. Depth accumulator at pixel (0, 0).
+    constant TRIANGLE_CFG_DEPTH_INIT_WIDTH : positive := 7;
+    constant TRIANGLE_CFG_DEPTH_INIT_FRACTION : natural := 3;
+    constant TRIANGLE_CFG_DEPTH_INIT_SIGNED : boolean := true;
+    -- depth_dx: signed, width 7, fraction bits 3. Depth slope per pixel to the right.
+    constant TRIANGLE_CFG_DEPTH_DX_WIDTH : positive := 7;
+    constant TRIANGLE_CFG_DEPTH_DX_FRACTION : natural := 3;
+    constant TRIANGLE_CFG_DEPTH_DX_SIGNED : boolean := true;
+    -- depth_dy: signed, width 7, fraction bits 3. Depth slope per row downward.
+    constant TRIANGLE_CFG_DEPTH_DY_WIDTH : positive := 7;
+    constant TRIANGLE_CFG_DEPTH_DY_FRACTION : natural := 3;
+    constant TRIANGLE_CFG_DEPTH_DY_SIGNED : boolean := true;
     -- zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
     constant TRIANGLE_CFG_ZERO_AREA_WIDTH : positive := 1;
     constant TRIANGLE_CFG_ZERO_AREA_FRACTION : natural := 0;
     constant TRIANGLE_CFG_ZERO_AREA_SIGNED : boolean := false;
-    -- x0: unsigned, width 17, fraction bits 0. First column of the bounding box in the window.
-    constant TRIANGLE_CFG_X0_WIDTH : positive := 17;
-    constant TRIANGLE_CFG_X0_FRACTION : natural := 0;
-    constant TRIANGLE_CFG_X0_SIGNED : boolean := false;
-    -- y0: unsigned, width 17, fraction bits 0. First row of the bounding box.
-    constant TRIANGLE_CFG_Y0_WIDTH : positive := 17;
-    constant TRIANGLE_CFG_Y0_FRACTION : natural := 0;
-    constant TRIANGLE_CFG_Y0_SIGNED : boolean := false;
-    -- x1: unsigned, width 17, fraction bits 0. One past its last column.
-    constant TRIANGLE_CFG_X1_WIDTH : positive := 17;
-    constant TRIANGLE_CFG_X1_FRACTION : natural := 0;
-    constant TRIANGLE_CFG_X1_SIGNED : boolean := false;
-    -- y1: unsigned, width 17, fraction bits 0. One past its last row.
-    constant TRIANGLE_CFG_Y1_WIDTH : positive := 17;
-    constant TRIANGLE_CFG_Y1_FRACTION : natural := 0;
-    constant TRIANGLE_CFG_Y1_SIGNED : boolean := false;
+    -- box_y_begin: unsigned, width 17, fraction bits 0. First row of the bounding box in the window.
+    constant TRIANGLE_CFG_BOX_Y_BEGIN_WIDTH : positive := 17;
+    constant TRIANGLE_CFG_BOX_Y_BEGIN_FRACTION : natural := 0;
+    constant TRIANGLE_CFG_BOX_Y_BEGIN_SIGNED : boolean := false;
+    -- box_y_end: unsigned, width 17, fraction bits 0. One past its last row.
+    constant TRIANGLE_CFG_BOX_Y_END_WIDTH : positive := 17;
+    constant TRIANGLE_CFG_BOX_Y_END_FRACTION : natural := 0;
+    constant TRIANGLE_CFG_BOX_Y_END_SIGNED : boolean := false;
+    -- box_x_begin: unsigned, width 17, fraction bits 0. First column of the bounding box.
+    constant TRIANGLE_CFG_BOX_X_BEGIN_WIDTH : positive := 17;
+    constant TRIANGLE_CFG_BOX_X_BEGIN_FRACTION : natural := 0;
+    constant TRIANGLE_CFG_BOX_X_BEGIN_SIGNED : boolean := false;
+    -- box_x_end: unsigned, width 17, fraction bits 0. One past its last column.
+    constant TRIANGLE_CFG_BOX_X_END_WIDTH : positive := 17;
+    constant TRIANGLE_CFG_BOX_X_END_FRACTION : natural := 0;
+    constant TRIANGLE_CFG_BOX_X_END_SIGNED : boolean := false;
     type triangle_cfg_t is record
         test : std_logic_vector(31 downto 0);
-        e0 : std_logic_vector(5 downto 0);
-        a0 : std_logic_vector(5 downto 0);
-        b0 : std_logic_vector(5 downto 0);
-        e1 : std_logic_vector(5 downto 0);
-        a1 : std_logic_vector(5 downto 0);
-        b1 : std_logic_vector(5 downto 0);
-        e2 : std_logic_vector(5 downto 0);
-        a2 : std_logic_vector(5 downto 0);
-        b2 : std_logic_vector(5 downto 0);
-        z : std_logic_vector(6 downto 0);
-        dzdx : std_logic_vector(6 downto 0);
-        dzdy : std_logic_vector(6 downto 0);
+        edge0_init : std_logic_vector(5 downto 0);
+        edge0_dx : std_logic_vector(5 downto 0);
+        edge0_dy : std_logic_vector(5 downto 0);
+        edge1_init : std_logic_vector(5 downto 0);
+        edge1_dx : std_logic_vector(5 downto 0);
+        edge1_dy : std_logic_vector(5 downto 0);
+        edge2_init : std_logic_vector(5 downto 0);
+        edge2_dx : std_logic_vector(5 downto 0);
+        edge2_dy : std_logic_vector(5 downto 0);
+        depth_init : std_logic_vector(6 downto 0);
+        depth_dx : std_logic_vector(6 downto 0);
+        depth_dy : std_logic_vector(6 downto 0);
         zero_area : std_logic_vector(0 downto 0);
-        x0 : std_logic_vector(16 downto 0);
-        y0 : std_logic_vector(16 downto 0);
-        x1 : std_logic_vector(16 downto 0);
-        y1 : std_logic_vector(16 downto 0);
+        box_y_begin : std_logic_vector(16 downto 0);
+        box_y_end : std_logic_vector(16 downto 0);
+        box_x_begin : std_logic_vector(16 downto 0);
+        box_x_end : std_logic_vector(16 downto 0);
     end record triangle_cfg_t;
     function to_triangle_cfg(bits : std_logic_vector) return triangle_cfg_t;
 
@@ -384,7 +384,7 @@ package guardbit_pkg is
     constant TRIANGLE_EXP_INEXACT_WIDTH : positive := 32;
     constant TRIANGLE_EXP_INEXACT_FRACTION : natural := 0;
     constant TRIANGLE_EXP_INEXACT_SIGNED : boolean := false;
-    -- zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area.
+    -- zero_area: unsigned, width 1, fraction bits 0. 1 when the triangle has no area and draws nothing.
     constant TRIANGLE_EXP_ZERO_AREA_WIDTH : positive := 1;
     constant TRIANGLE_EXP_ZERO_AREA_FRACTION : natural := 0;
     constant TRIANGLE_EXP_ZERO_AREA_SIGNED : boolean := false;
@@ -413,19 +413,19 @@ package guardbit_pkg is
     constant SPAN_EXP_Y_WIDTH : positive := 17;
     constant SPAN_EXP_Y_FRACTION : natural := 0;
     constant SPAN_EXP_Y_SIGNED : boolean := false;
-    -- x0: unsigned, width 17, fraction bits 0. First covered column.
-    constant SPAN_EXP_X0_WIDTH : positive := 17;
-    constant SPAN_EXP_X0_FRACTION : natural := 0;
-    constant SPAN_EXP_X0_SIGNED : boolean := false;
-    -- x1: unsigned, width 17, fraction bits 0. One past the last covered column.
-    constant SPAN_EXP_X1_WIDTH : positive := 17;
-    constant SPAN_EXP_X1_FRACTION : natural := 0;
-    constant SPAN_EXP_X1_SIGNED : boolean := false;
+    -- x_begin: unsigned, width 17, fraction bits 0. First covered column.
+    constant SPAN_EXP_X_BEGIN_WIDTH : positive := 17;
+    constant SPAN_EXP_X_BEGIN_FRACTION : natural := 0;
+    constant SPAN_EXP_X_BEGIN_SIGNED : boolean := false;
+    -- x_end: unsigned, width 17, fraction bits 0. One past the last covered column.
+    constant SPAN_EXP_X_END_WIDTH : positive := 17;
+    constant SPAN_EXP_X_END_FRACTION : natural := 0;
+    constant SPAN_EXP_X_END_SIGNED : boolean := false;
     type span_exp_t is record
         test : std_logic_vector(31 downto 0);
         y : std_logic_vector(16 downto 0);
-        x0 : std_logic_vector(16 downto 0);
-        x1 : std_logic_vector(16 downto 0);
+        x_begin : std_logic_vector(16 downto 0);
+        x_end : std_logic_vector(16 downto 0);
     end record span_exp_t;
     function to_span_exp(bits : std_logic_vector) return span_exp_t;
 
@@ -438,23 +438,23 @@ package guardbit_pkg is
     constant DEPTH_EXP_TEST_WIDTH : positive := 32;
     constant DEPTH_EXP_TEST_FRACTION : natural := 0;
     constant DEPTH_EXP_TEST_SIGNED : boolean := false;
-    -- x: unsigned, width 17, fraction bits 0. Column.
-    constant DEPTH_EXP_X_WIDTH : positive := 17;
-    constant DEPTH_EXP_X_FRACTION : natural := 0;
-    constant DEPTH_EXP_X_SIGNED : boolean := false;
     -- y: unsigned, width 17, fraction bits 0. Row.
     constant DEPTH_EXP_Y_WIDTH : positive := 17;
     constant DEPTH_EXP_Y_FRACTION : natural := 0;
     constant DEPTH_EXP_Y_SIGNED : boolean := false;
-    -- z: unsigned, width 3, fraction bits 0. Depth read-out after the clamp.
-    constant DEPTH_EXP_Z_WIDTH : positive := 3;
-    constant DEPTH_EXP_Z_FRACTION : natural := 0;
-    constant DEPTH_EXP_Z_SIGNED : boolean := false;
+    -- x: unsigned, width 17, fraction bits 0. Column.
+    constant DEPTH_EXP_X_WIDTH : positive := 17;
+    constant DEPTH_EXP_X_FRACTION : natural := 0;
+    constant DEPTH_EXP_X_SIGNED : boolean := false;
+    -- depth: unsigned, width 3, fraction bits 0. Depth read-out after the clamp.
+    constant DEPTH_EXP_DEPTH_WIDTH : positive := 3;
+    constant DEPTH_EXP_DEPTH_FRACTION : natural := 0;
+    constant DEPTH_EXP_DEPTH_SIGNED : boolean := false;
     type depth_exp_t is record
         test : std_logic_vector(31 downto 0);
-        x : std_logic_vector(16 downto 0);
         y : std_logic_vector(16 downto 0);
-        z : std_logic_vector(2 downto 0);
+        x : std_logic_vector(16 downto 0);
+        depth : std_logic_vector(2 downto 0);
     end record depth_exp_t;
     function to_depth_exp(bits : std_logic_vector) return depth_exp_t;
 end package guardbit_pkg;
@@ -504,15 +504,15 @@ package body guardbit_pkg is
         alias packed_bits : std_logic_vector(35 downto 0) is bits;
         variable row : setup_cfg_t;
     begin
-        row.x0 := packed_bits(35 downto 32);
-        row.y0 := packed_bits(31 downto 28);
-        row.z0 := packed_bits(26 downto 24);
-        row.x1 := packed_bits(23 downto 20);
-        row.y1 := packed_bits(19 downto 16);
-        row.z1 := packed_bits(14 downto 12);
-        row.x2 := packed_bits(11 downto 8);
-        row.y2 := packed_bits(7 downto 4);
-        row.z2 := packed_bits(2 downto 0);
+        row.v0_x := packed_bits(35 downto 32);
+        row.v0_y := packed_bits(31 downto 28);
+        row.v0_z := packed_bits(26 downto 24);
+        row.v1_x := packed_bits(23 downto 20);
+        row.v1_y := packed_bits(19 downto 16);
+        row.v1_z := packed_bits(14 downto 12);
+        row.v2_x := packed_bits(11 downto 8);
+        row.v2_y := packed_bits(7 downto 4);
+        row.v2_z := packed_bits(2 downto 0);
         return row;
     end function to_setup_cfg;
 
@@ -520,18 +520,18 @@ package body guardbit_pkg is
         alias packed_bits : std_logic_vector(99 downto 0) is bits;
         variable row : setup_exp_t;
     begin
-        row.e0 := packed_bits(97 downto 92);
-        row.a0 := packed_bits(89 downto 84);
-        row.b0 := packed_bits(81 downto 76);
-        row.e1 := packed_bits(73 downto 68);
-        row.a1 := packed_bits(65 downto 60);
-        row.b1 := packed_bits(57 downto 52);
-        row.e2 := packed_bits(49 downto 44);
-        row.a2 := packed_bits(41 downto 36);
-        row.b2 := packed_bits(33 downto 28);
-        row.z := packed_bits(26 downto 20);
-        row.dzdx := packed_bits(18 downto 12);
-        row.dzdy := packed_bits(10 downto 4);
+        row.edge0_init := packed_bits(97 downto 92);
+        row.edge0_dx := packed_bits(89 downto 84);
+        row.edge0_dy := packed_bits(81 downto 76);
+        row.edge1_init := packed_bits(73 downto 68);
+        row.edge1_dx := packed_bits(65 downto 60);
+        row.edge1_dy := packed_bits(57 downto 52);
+        row.edge2_init := packed_bits(49 downto 44);
+        row.edge2_dx := packed_bits(41 downto 36);
+        row.edge2_dy := packed_bits(33 downto 28);
+        row.depth_init := packed_bits(26 downto 20);
+        row.depth_dx := packed_bits(18 downto 12);
+        row.depth_dy := packed_bits(10 downto 4);
         row.zero_area := packed_bits(0 downto 0);
         return row;
     end function to_setup_exp;
@@ -541,23 +541,23 @@ package body guardbit_pkg is
         variable row : triangle_cfg_t;
     begin
         row.test := packed_bits(211 downto 180);
-        row.e0 := packed_bits(177 downto 172);
-        row.a0 := packed_bits(169 downto 164);
-        row.b0 := packed_bits(161 downto 156);
-        row.e1 := packed_bits(153 downto 148);
-        row.a1 := packed_bits(145 downto 140);
-        row.b1 := packed_bits(137 downto 132);
-        row.e2 := packed_bits(129 downto 124);
-        row.a2 := packed_bits(121 downto 116);
-        row.b2 := packed_bits(113 downto 108);
-        row.z := packed_bits(106 downto 100);
-        row.dzdx := packed_bits(98 downto 92);
-        row.dzdy := packed_bits(90 downto 84);
+        row.edge0_init := packed_bits(177 downto 172);
+        row.edge0_dx := packed_bits(169 downto 164);
+        row.edge0_dy := packed_bits(161 downto 156);
+        row.edge1_init := packed_bits(153 downto 148);
+        row.edge1_dx := packed_bits(145 downto 140);
+        row.edge1_dy := packed_bits(137 downto 132);
+        row.edge2_init := packed_bits(129 downto 124);
+        row.edge2_dx := packed_bits(121 downto 116);
+        row.edge2_dy := packed_bits(113 downto 108);
+        row.depth_init := packed_bits(106 downto 100);
+        row.depth_dx := packed_bits(98 downto 92);
+        row.depth_dy := packed_bits(90 downto 84);
         row.zero_area := packed_bits(80 downto 80);
-        row.x0 := packed_bits(76 downto 60);
-        row.y0 := packed_bits(56 downto 40);
-        row.x1 := packed_bits(36 downto 20);
-        row.y1 := packed_bits(16 downto 0);
+        row.box_y_begin := packed_bits(76 downto 60);
+        row.box_y_end := packed_bits(56 downto 40);
+        row.box_x_begin := packed_bits(36 downto 20);
+        row.box_x_end := packed_bits(16 downto 0);
         return row;
     end function to_triangle_cfg;
 
@@ -582,8 +582,8 @@ package body guardbit_pkg is
     begin
         row.test := packed_bits(91 downto 60);
         row.y := packed_bits(56 downto 40);
-        row.x0 := packed_bits(36 downto 20);
-        row.x1 := packed_bits(16 downto 0);
+        row.x_begin := packed_bits(36 downto 20);
+        row.x_end := packed_bits(16 downto 0);
         return row;
     end function to_span_exp;
 
@@ -592,9 +592,9 @@ package body guardbit_pkg is
         variable row : depth_exp_t;
     begin
         row.test := packed_bits(75 downto 44);
-        row.x := packed_bits(40 downto 24);
-        row.y := packed_bits(20 downto 4);
-        row.z := packed_bits(2 downto 0);
+        row.y := packed_bits(40 downto 24);
+        row.x := packed_bits(20 downto 4);
+        row.depth := packed_bits(2 downto 0);
         return row;
     end function to_depth_exp;
 end package body guardbit_pkg;

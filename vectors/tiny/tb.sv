@@ -423,27 +423,27 @@ module setup_check (
     reg [15:0] noise;
 
     // Signals carry the names of the columns, as in the waves of `guardbit trace`.
-    wire [3:0] x0 = cfg.x0;
-    wire [3:0] y0 = cfg.y0;
-    wire [2:0] z0 = cfg.z0;
-    wire [3:0] x1 = cfg.x1;
-    wire [3:0] y1 = cfg.y1;
-    wire [2:0] z1 = cfg.z1;
-    wire [3:0] x2 = cfg.x2;
-    wire [3:0] y2 = cfg.y2;
-    wire [2:0] z2 = cfg.z2;
-    wire [5:0] e0 = o_e0;
-    wire [5:0] a0 = o_a0;
-    wire [5:0] b0 = o_b0;
-    wire [5:0] e1 = o_e1;
-    wire [5:0] a1 = o_a1;
-    wire [5:0] b1 = o_b1;
-    wire [5:0] e2 = o_e2;
-    wire [5:0] a2 = o_a2;
-    wire [5:0] b2 = o_b2;
-    wire [6:0] z = o_z;
-    wire [6:0] dzdx = o_dzdx;
-    wire [6:0] dzdy = o_dzdy;
+    wire [3:0] v0_x = cfg.v0_x;
+    wire [3:0] v0_y = cfg.v0_y;
+    wire [2:0] v0_z = cfg.v0_z;
+    wire [3:0] v1_x = cfg.v1_x;
+    wire [3:0] v1_y = cfg.v1_y;
+    wire [2:0] v1_z = cfg.v1_z;
+    wire [3:0] v2_x = cfg.v2_x;
+    wire [3:0] v2_y = cfg.v2_y;
+    wire [2:0] v2_z = cfg.v2_z;
+    wire [5:0] edge0_init = o_edge0_init;
+    wire [5:0] edge0_dx = o_edge0_dx;
+    wire [5:0] edge0_dy = o_edge0_dy;
+    wire [5:0] edge1_init = o_edge1_init;
+    wire [5:0] edge1_dx = o_edge1_dx;
+    wire [5:0] edge1_dy = o_edge1_dy;
+    wire [5:0] edge2_init = o_edge2_init;
+    wire [5:0] edge2_dx = o_edge2_dx;
+    wire [5:0] edge2_dy = o_edge2_dy;
+    wire [6:0] depth_init = o_depth_init;
+    wire [6:0] depth_dx = o_depth_dx;
+    wire [6:0] depth_dy = o_depth_dy;
     wire [0:0] zero_area = o_zero_area;
 
     // Which clocks stall, by the record that is in the device.
@@ -463,24 +463,24 @@ module setup_check (
     ) o_file ();
     reg [SETUP_EXP_BITS-1:0] o_bits;
     setup_exp_t o_want;
-    wire [5:0] o_e0;
-    wire [5:0] o_a0;
-    wire [5:0] o_b0;
-    wire [5:0] o_e1;
-    wire [5:0] o_a1;
-    wire [5:0] o_b1;
-    wire [5:0] o_e2;
-    wire [5:0] o_a2;
-    wire [5:0] o_b2;
-    wire [6:0] o_z;
-    wire [6:0] o_dzdx;
-    wire [6:0] o_dzdy;
+    wire [5:0] o_edge0_init;
+    wire [5:0] o_edge0_dx;
+    wire [5:0] o_edge0_dy;
+    wire [5:0] o_edge1_init;
+    wire [5:0] o_edge1_dx;
+    wire [5:0] o_edge1_dy;
+    wire [5:0] o_edge2_init;
+    wire [5:0] o_edge2_dx;
+    wire [5:0] o_edge2_dy;
+    wire [6:0] o_depth_init;
+    wire [6:0] o_depth_dx;
+    wire [6:0] o_depth_dy;
     wire [0:0] o_zero_area;
     wire o_valid;
     reg o_ready;
     // An answer that has not been taken stays as it is.
     reg o_held;
-    wire [75:0] o_now = {o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2, o_z, o_dzdx, o_dzdy, o_zero_area};
+    wire [75:0] o_now = {o_edge0_init, o_edge0_dx, o_edge0_dy, o_edge1_init, o_edge1_dx, o_edge1_dy, o_edge2_init, o_edge2_dx, o_edge2_dy, o_depth_init, o_depth_dx, o_depth_dy, o_zero_area};
     reg [75:0] o_kept;
     integer o_dump;
 
@@ -488,7 +488,7 @@ module setup_check (
         begin
             quiet = 0;
             rows = rows + 1;
-            if (o_dump != 0) $fdisplay(o_dump, "%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h", o_e0, o_a0, o_b0, o_e1, o_a1, o_b1, o_e2, o_a2, o_b2, o_z, o_dzdx, o_dzdy, o_zero_area);
+            if (o_dump != 0) $fdisplay(o_dump, "%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h", o_edge0_init, o_edge0_dx, o_edge0_dy, o_edge1_init, o_edge1_dx, o_edge1_dy, o_edge2_init, o_edge2_dx, o_edge2_dy, o_depth_init, o_depth_dx, o_depth_dy, o_zero_area);
             if (o_file.line >= SETUP_EXP_ROWS) too_much("setup.exp");
             else begin
                 o_file.next;
@@ -502,77 +502,77 @@ module setup_check (
                     o_file.nibbles[11:8]};
                 o_want = o_bits;
                 if (|(o_bits & SETUP_EXP_PADS)) o_file.over_wide;
-            if (o_e0 !== o_want.e0) begin
+            if (o_edge0_init !== o_want.edge0_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field e0\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.e0, o_want.e0, o_e0, o_e0);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge0_init\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge0_init, o_want.edge0_init, o_edge0_init, o_edge0_init);
             end
-            if (o_a0 !== o_want.a0) begin
+            if (o_edge0_dx !== o_want.edge0_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field a0\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.a0, o_want.a0, o_a0, o_a0);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge0_dx\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge0_dx, o_want.edge0_dx, o_edge0_dx, o_edge0_dx);
             end
-            if (o_b0 !== o_want.b0) begin
+            if (o_edge0_dy !== o_want.edge0_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field b0\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.b0, o_want.b0, o_b0, o_b0);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge0_dy\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge0_dy, o_want.edge0_dy, o_edge0_dy, o_edge0_dy);
             end
-            if (o_e1 !== o_want.e1) begin
+            if (o_edge1_init !== o_want.edge1_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field e1\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.e1, o_want.e1, o_e1, o_e1);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge1_init\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge1_init, o_want.edge1_init, o_edge1_init, o_edge1_init);
             end
-            if (o_a1 !== o_want.a1) begin
+            if (o_edge1_dx !== o_want.edge1_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field a1\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.a1, o_want.a1, o_a1, o_a1);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge1_dx\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge1_dx, o_want.edge1_dx, o_edge1_dx, o_edge1_dx);
             end
-            if (o_b1 !== o_want.b1) begin
+            if (o_edge1_dy !== o_want.edge1_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field b1\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.b1, o_want.b1, o_b1, o_b1);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge1_dy\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge1_dy, o_want.edge1_dy, o_edge1_dy, o_edge1_dy);
             end
-            if (o_e2 !== o_want.e2) begin
+            if (o_edge2_init !== o_want.edge2_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field e2\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.e2, o_want.e2, o_e2, o_e2);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge2_init\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge2_init, o_want.edge2_init, o_edge2_init, o_edge2_init);
             end
-            if (o_a2 !== o_want.a2) begin
+            if (o_edge2_dx !== o_want.edge2_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field a2\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.a2, o_want.a2, o_a2, o_a2);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge2_dx\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge2_dx, o_want.edge2_dx, o_edge2_dx, o_edge2_dx);
             end
-            if (o_b2 !== o_want.b2) begin
+            if (o_edge2_dy !== o_want.edge2_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field b2\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.b2, o_want.b2, o_b2, o_b2);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field edge2_dy\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.edge2_dy, o_want.edge2_dy, o_edge2_dy, o_edge2_dy);
             end
-            if (o_z !== o_want.z) begin
+            if (o_depth_init !== o_want.depth_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field z\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.z, o_want.z, o_z, o_z);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field depth_init\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.depth_init, o_want.depth_init, o_depth_init, o_depth_init);
             end
-            if (o_dzdx !== o_want.dzdx) begin
+            if (o_depth_dx !== o_want.depth_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field dzdx\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.dzdx, o_want.dzdx, o_dzdx, o_dzdx);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field depth_dx\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.depth_dx, o_want.depth_dx, o_depth_dx, o_depth_dx);
             end
-            if (o_dzdy !== o_want.dzdy) begin
+            if (o_depth_dy !== o_want.depth_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH setup (setup.exp.tv line %0d) field dzdy\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.dzdy, o_want.dzdy, o_dzdy, o_dzdy);
+                    $display("MISMATCH setup (setup.exp.tv line %0d) field depth_dy\n    expected %h  %b\n    got      %h  %b",
+                        o_file.line, o_want.depth_dy, o_want.depth_dy, o_depth_dy, o_depth_dy);
             end
             if (o_zero_area !== o_want.zero_area) begin
                 mismatches = mismatches + 1;
@@ -586,27 +586,27 @@ module setup_check (
 
     triangle_setup device (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
-        .x0(cfg.x0),
-        .y0(cfg.y0),
-        .z0(cfg.z0),
-        .x1(cfg.x1),
-        .y1(cfg.y1),
-        .z1(cfg.z1),
-        .x2(cfg.x2),
-        .y2(cfg.y2),
-        .z2(cfg.z2),
-        .o_e0(o_e0),
-        .o_a0(o_a0),
-        .o_b0(o_b0),
-        .o_e1(o_e1),
-        .o_a1(o_a1),
-        .o_b1(o_b1),
-        .o_e2(o_e2),
-        .o_a2(o_a2),
-        .o_b2(o_b2),
-        .o_z(o_z),
-        .o_dzdx(o_dzdx),
-        .o_dzdy(o_dzdy),
+        .v0_x(cfg.v0_x),
+        .v0_y(cfg.v0_y),
+        .v0_z(cfg.v0_z),
+        .v1_x(cfg.v1_x),
+        .v1_y(cfg.v1_y),
+        .v1_z(cfg.v1_z),
+        .v2_x(cfg.v2_x),
+        .v2_y(cfg.v2_y),
+        .v2_z(cfg.v2_z),
+        .o_edge0_init(o_edge0_init),
+        .o_edge0_dx(o_edge0_dx),
+        .o_edge0_dy(o_edge0_dy),
+        .o_edge1_init(o_edge1_init),
+        .o_edge1_dx(o_edge1_dx),
+        .o_edge1_dy(o_edge1_dy),
+        .o_edge2_init(o_edge2_init),
+        .o_edge2_dx(o_edge2_dx),
+        .o_edge2_dy(o_edge2_dy),
+        .o_depth_init(o_depth_init),
+        .o_depth_dx(o_depth_dx),
+        .o_depth_dy(o_depth_dy),
         .o_zero_area(o_zero_area),
         .out_valid(o_valid),
         .out_ready(o_ready)
@@ -724,24 +724,27 @@ module triangle_check (
     reg [15:0] noise;
 
     // Signals carry the names of the columns, as in the waves of `guardbit trace`.
-    wire [5:0] e0 = cfg.e0;
-    wire [5:0] a0 = cfg.a0;
-    wire [5:0] b0 = cfg.b0;
-    wire [5:0] e1 = cfg.e1;
-    wire [5:0] a1 = cfg.a1;
-    wire [5:0] b1 = cfg.b1;
-    wire [5:0] e2 = cfg.e2;
-    wire [5:0] a2 = cfg.a2;
-    wire [5:0] b2 = cfg.b2;
-    wire [6:0] dzdx = cfg.dzdx;
-    wire [6:0] dzdy = cfg.dzdy;
-    wire [16:0] y0 = cfg.y0;
-    wire [16:0] y1 = cfg.y1;
-    wire [16:0] x0 = span_x0;
-    wire [16:0] x1 = span_x1;
-    wire [16:0] x = depth_x;
-    wire [16:0] y = depth_y;
-    wire [2:0] z = depth_z;
+    wire [5:0] edge0_init = cfg.edge0_init;
+    wire [5:0] edge0_dx = cfg.edge0_dx;
+    wire [5:0] edge0_dy = cfg.edge0_dy;
+    wire [5:0] edge1_init = cfg.edge1_init;
+    wire [5:0] edge1_dx = cfg.edge1_dx;
+    wire [5:0] edge1_dy = cfg.edge1_dy;
+    wire [5:0] edge2_init = cfg.edge2_init;
+    wire [5:0] edge2_dx = cfg.edge2_dx;
+    wire [5:0] edge2_dy = cfg.edge2_dy;
+    wire [6:0] depth_init = cfg.depth_init;
+    wire [6:0] depth_dx = cfg.depth_dx;
+    wire [6:0] depth_dy = cfg.depth_dy;
+    wire [16:0] box_y_begin = cfg.box_y_begin;
+    wire [16:0] box_y_end = cfg.box_y_end;
+    wire [16:0] box_x_begin = cfg.box_x_begin;
+    wire [16:0] box_x_end = cfg.box_x_end;
+    wire [16:0] x_begin = span_x_begin;
+    wire [16:0] x_end = span_x_end;
+    wire [16:0] y = sample_y;
+    wire [16:0] x = sample_x;
+    wire [2:0] depth = sample_depth;
     wire [31:0] test = triangle_test;
     wire [31:0] spans = triangle_spans;
     wire [31:0] samples = triangle_samples;
@@ -766,13 +769,13 @@ module triangle_check (
     span_exp_t span_want;
     wire [31:0] span_test;
     wire [16:0] span_y;
-    wire [16:0] span_x0;
-    wire [16:0] span_x1;
+    wire [16:0] span_x_begin;
+    wire [16:0] span_x_end;
     wire span_valid;
     reg span_ready;
     // An answer that has not been taken stays as it is.
     reg span_held;
-    wire [82:0] span_now = {span_test, span_y, span_x0, span_x1};
+    wire [82:0] span_now = {span_test, span_y, span_x_begin, span_x_end};
     reg [82:0] span_kept;
     integer span_dump;
 
@@ -780,7 +783,7 @@ module triangle_check (
         begin
             quiet = 0;
             rows = rows + 1;
-            if (span_dump != 0) $fdisplay(span_dump, "%h_%h_%h_%h", span_test, span_y, span_x0, span_x1);
+            if (span_dump != 0) $fdisplay(span_dump, "%h_%h_%h_%h", span_test, span_y, span_x_begin, span_x_end);
             if (span_file.line >= SPAN_EXP_ROWS) too_much("span.exp");
             else begin
                 span_file.next;
@@ -805,17 +808,17 @@ module triangle_check (
                     $display("MISMATCH triangle (span.exp.tv line %0d) field y\n    expected %h  %b\n    got      %h  %b",
                         span_file.line, span_want.y, span_want.y, span_y, span_y);
             end
-            if (span_x0 !== span_want.x0) begin
+            if (span_x_begin !== span_want.x_begin) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH triangle (span.exp.tv line %0d) field x0\n    expected %h  %b\n    got      %h  %b",
-                        span_file.line, span_want.x0, span_want.x0, span_x0, span_x0);
+                    $display("MISMATCH triangle (span.exp.tv line %0d) field x_begin\n    expected %h  %b\n    got      %h  %b",
+                        span_file.line, span_want.x_begin, span_want.x_begin, span_x_begin, span_x_begin);
             end
-            if (span_x1 !== span_want.x1) begin
+            if (span_x_end !== span_want.x_end) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH triangle (span.exp.tv line %0d) field x1\n    expected %h  %b\n    got      %h  %b",
-                        span_file.line, span_want.x1, span_want.x1, span_x1, span_x1);
+                    $display("MISMATCH triangle (span.exp.tv line %0d) field x_end\n    expected %h  %b\n    got      %h  %b",
+                        span_file.line, span_want.x_end, span_want.x_end, span_x_end, span_x_end);
             end
             end
         end
@@ -825,60 +828,60 @@ module triangle_check (
         .NAME("depth.exp.tv"), .ROWS(DEPTH_EXP_ROWS), .CHARS(DEPTH_EXP_LINE),
         .FIXED(184'h00000000000000005f00000000005f00000000005f000a),
         .DIGITS(184'h0101010101010101000101010101000101010101000100)
-    ) depth_file ();
-    reg [DEPTH_EXP_BITS-1:0] depth_bits;
-    depth_exp_t depth_want;
-    wire [31:0] depth_test;
-    wire [16:0] depth_x;
-    wire [16:0] depth_y;
-    wire [2:0] depth_z;
-    wire depth_valid;
-    reg depth_ready;
+    ) sample_file ();
+    reg [DEPTH_EXP_BITS-1:0] sample_bits;
+    depth_exp_t sample_want;
+    wire [31:0] sample_test;
+    wire [16:0] sample_y;
+    wire [16:0] sample_x;
+    wire [2:0] sample_depth;
+    wire sample_valid;
+    reg sample_ready;
     // An answer that has not been taken stays as it is.
-    reg depth_held;
-    wire [68:0] depth_now = {depth_test, depth_x, depth_y, depth_z};
-    reg [68:0] depth_kept;
-    integer depth_dump;
+    reg sample_held;
+    wire [68:0] sample_now = {sample_test, sample_y, sample_x, sample_depth};
+    reg [68:0] sample_kept;
+    integer sample_dump;
 
-    task depth_compare;
+    task sample_compare;
         begin
             quiet = 0;
             rows = rows + 1;
-            if (depth_dump != 0) $fdisplay(depth_dump, "%h_%h_%h_%h", depth_test, depth_x, depth_y, depth_z);
-            if (depth_file.line >= DEPTH_EXP_ROWS) too_much("depth.exp");
+            if (sample_dump != 0) $fdisplay(sample_dump, "%h_%h_%h_%h", sample_test, sample_y, sample_x, sample_depth);
+            if (sample_file.line >= DEPTH_EXP_ROWS) too_much("depth.exp");
             else begin
-                depth_file.next;
-                depth_bits = {
-                    depth_file.nibbles[179:176], depth_file.nibbles[171:168], depth_file.nibbles[163:160], depth_file.nibbles[155:152],
-                    depth_file.nibbles[147:144], depth_file.nibbles[139:136], depth_file.nibbles[131:128], depth_file.nibbles[123:120],
-                    depth_file.nibbles[107:104], depth_file.nibbles[99:96], depth_file.nibbles[91:88], depth_file.nibbles[83:80],
-                    depth_file.nibbles[75:72], depth_file.nibbles[59:56], depth_file.nibbles[51:48], depth_file.nibbles[43:40],
-                    depth_file.nibbles[35:32], depth_file.nibbles[27:24], depth_file.nibbles[11:8]};
-                depth_want = depth_bits;
-                if (|(depth_bits & DEPTH_EXP_PADS)) depth_file.over_wide;
-            if (depth_test !== depth_want.test) begin
+                sample_file.next;
+                sample_bits = {
+                    sample_file.nibbles[179:176], sample_file.nibbles[171:168], sample_file.nibbles[163:160], sample_file.nibbles[155:152],
+                    sample_file.nibbles[147:144], sample_file.nibbles[139:136], sample_file.nibbles[131:128], sample_file.nibbles[123:120],
+                    sample_file.nibbles[107:104], sample_file.nibbles[99:96], sample_file.nibbles[91:88], sample_file.nibbles[83:80],
+                    sample_file.nibbles[75:72], sample_file.nibbles[59:56], sample_file.nibbles[51:48], sample_file.nibbles[43:40],
+                    sample_file.nibbles[35:32], sample_file.nibbles[27:24], sample_file.nibbles[11:8]};
+                sample_want = sample_bits;
+                if (|(sample_bits & DEPTH_EXP_PADS)) sample_file.over_wide;
+            if (sample_test !== sample_want.test) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (depth.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
-                        depth_file.line, depth_want.test, depth_want.test, depth_test, depth_test);
+                        sample_file.line, sample_want.test, sample_want.test, sample_test, sample_test);
             end
-            if (depth_x !== depth_want.x) begin
-                mismatches = mismatches + 1;
-                if (mismatches <= REPORTED)
-                    $display("MISMATCH triangle (depth.exp.tv line %0d) field x\n    expected %h  %b\n    got      %h  %b",
-                        depth_file.line, depth_want.x, depth_want.x, depth_x, depth_x);
-            end
-            if (depth_y !== depth_want.y) begin
+            if (sample_y !== sample_want.y) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (depth.exp.tv line %0d) field y\n    expected %h  %b\n    got      %h  %b",
-                        depth_file.line, depth_want.y, depth_want.y, depth_y, depth_y);
+                        sample_file.line, sample_want.y, sample_want.y, sample_y, sample_y);
             end
-            if (depth_z !== depth_want.z) begin
+            if (sample_x !== sample_want.x) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
-                    $display("MISMATCH triangle (depth.exp.tv line %0d) field z\n    expected %h  %b\n    got      %h  %b",
-                        depth_file.line, depth_want.z, depth_want.z, depth_z, depth_z);
+                    $display("MISMATCH triangle (depth.exp.tv line %0d) field x\n    expected %h  %b\n    got      %h  %b",
+                        sample_file.line, sample_want.x, sample_want.x, sample_x, sample_x);
+            end
+            if (sample_depth !== sample_want.depth) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (depth.exp.tv line %0d) field depth\n    expected %h  %b\n    got      %h  %b",
+                        sample_file.line, sample_want.depth, sample_want.depth, sample_depth, sample_depth);
             end
             end
         end
@@ -960,35 +963,35 @@ module triangle_check (
     triangle_engine device (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .test(cfg.test),
-        .e0(cfg.e0),
-        .a0(cfg.a0),
-        .b0(cfg.b0),
-        .e1(cfg.e1),
-        .a1(cfg.a1),
-        .b1(cfg.b1),
-        .e2(cfg.e2),
-        .a2(cfg.a2),
-        .b2(cfg.b2),
-        .z(cfg.z),
-        .dzdx(cfg.dzdx),
-        .dzdy(cfg.dzdy),
+        .edge0_init(cfg.edge0_init),
+        .edge0_dx(cfg.edge0_dx),
+        .edge0_dy(cfg.edge0_dy),
+        .edge1_init(cfg.edge1_init),
+        .edge1_dx(cfg.edge1_dx),
+        .edge1_dy(cfg.edge1_dy),
+        .edge2_init(cfg.edge2_init),
+        .edge2_dx(cfg.edge2_dx),
+        .edge2_dy(cfg.edge2_dy),
+        .depth_init(cfg.depth_init),
+        .depth_dx(cfg.depth_dx),
+        .depth_dy(cfg.depth_dy),
         .zero_area(cfg.zero_area),
-        .x0(cfg.x0),
-        .y0(cfg.y0),
-        .x1(cfg.x1),
-        .y1(cfg.y1),
+        .box_y_begin(cfg.box_y_begin),
+        .box_y_end(cfg.box_y_end),
+        .box_x_begin(cfg.box_x_begin),
+        .box_x_end(cfg.box_x_end),
         .span_test(span_test),
         .span_y(span_y),
-        .span_x0(span_x0),
-        .span_x1(span_x1),
+        .span_x_begin(span_x_begin),
+        .span_x_end(span_x_end),
         .span_valid(span_valid),
         .span_ready(span_ready),
-        .depth_test(depth_test),
-        .depth_x(depth_x),
-        .depth_y(depth_y),
-        .depth_z(depth_z),
-        .depth_valid(depth_valid),
-        .depth_ready(depth_ready),
+        .sample_test(sample_test),
+        .sample_y(sample_y),
+        .sample_x(sample_x),
+        .sample_depth(sample_depth),
+        .sample_valid(sample_valid),
+        .sample_ready(sample_ready),
         .triangle_test(triangle_test),
         .triangle_spans(triangle_spans),
         .triangle_samples(triangle_samples),
@@ -1013,10 +1016,10 @@ module triangle_check (
         span_held = 1'b0;
         span_dump = 0;
         if ($test$plusargs("dump")) span_dump = $fopen("span.exp.dut.tv", "w");
-        depth_ready = 1'b0;
-        depth_held = 1'b0;
-        depth_dump = 0;
-        if ($test$plusargs("dump")) depth_dump = $fopen("depth.exp.dut.tv", "w");
+        sample_ready = 1'b0;
+        sample_held = 1'b0;
+        sample_dump = 0;
+        if ($test$plusargs("dump")) sample_dump = $fopen("depth.exp.dut.tv", "w");
         triangle_ready = 1'b0;
         triangle_held = 1'b0;
         triangle_dump = 0;
@@ -1052,11 +1055,11 @@ module triangle_check (
         span_held = span_valid && !span_ready;
         if (span_held) span_kept = span_now;
         if (span_valid === 1'b1 && span_ready) span_compare;
-        if (depth_held && (!depth_valid || depth_now !== depth_kept))
-            unstable("depth.exp", depth_file.line + 1);
-        depth_held = depth_valid && !depth_ready;
-        if (depth_held) depth_kept = depth_now;
-        if (depth_valid === 1'b1 && depth_ready) depth_compare;
+        if (sample_held && (!sample_valid || sample_now !== sample_kept))
+            unstable("depth.exp", sample_file.line + 1);
+        sample_held = sample_valid && !sample_ready;
+        if (sample_held) sample_kept = sample_now;
+        if (sample_valid === 1'b1 && sample_ready) sample_compare;
         if (triangle_held && (!triangle_valid || triangle_now !== triangle_kept))
             unstable("triangle.exp", triangle_file.line + 1);
         triangle_held = triangle_valid && !triangle_ready;
@@ -1072,7 +1075,7 @@ module triangle_check (
             beat = beat + 1;
         span_ready = !stalls;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-        depth_ready = !stalls;
+        sample_ready = !stalls;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
         triangle_ready = !stalls;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
@@ -1100,10 +1103,10 @@ module triangle_check (
                 in_valid = 1'b1;
             end
             // Some clocks more show what comes too much.
-            if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && span_file.line >= SPAN_EXP_ROWS && depth_file.line >= DEPTH_EXP_ROWS && triangle_file.line >= TRIANGLE_EXP_ROWS && !(span_valid || depth_valid || triangle_valid) && quiet > 100) begin
+            if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && span_file.line >= SPAN_EXP_ROWS && sample_file.line >= DEPTH_EXP_ROWS && triangle_file.line >= TRIANGLE_EXP_ROWS && !(span_valid || sample_valid || triangle_valid) && quiet > 100) begin
                 cfg_file.last;
                 span_file.last;
-                depth_file.last;
+                sample_file.last;
                 triangle_file.last;
                 done = 1'b1;
             end

@@ -26,7 +26,7 @@ DEVICES = {
     "triangle_setup": ("setup.cfg", {"setup.exp": "o_"}),
     "triangle_engine": (
         "triangle.cfg",
-        {"span.exp": "span_", "depth.exp": "depth_", "triangle.exp": "triangle_"},
+        {"span.exp": "span_", "depth.exp": "sample_", "triangle.exp": "triangle_"},
     ),
 }
 # What the summary's events look at is wider than any word of the engine: they are not compared.

@@ -94,7 +94,7 @@ int main(void) {
     EXPECT(guardbit_setup(model, 0, word), 0, "");
     EXPECT(guardbit_setup(model, 99, word), GUARDBIT_ARGUMENT, "index = 99");
     EXPECT(guardbit_column(model, 0, name, sizeof name), 0, "");
-    if (strcmp(name, "e0")) failed = 1, printf("column %s\n", name);
+    if (strcmp(name, "edge0_init")) failed = 1, printf("column %s\n", name);
     EXPECT(guardbit_column(model, 0, name, 0), GUARDBIT_NULL, "name");
     if (guardbit_message(tiny, sizeof tiny) <= 3 || strlen(tiny) != 3) failed = 1, printf("not cut\n");
     EXPECT(guardbit_close(walk), 0, "");

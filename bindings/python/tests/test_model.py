@@ -13,7 +13,7 @@ def test_a_triangle_is_drawn():
     assert len(drawing.z) == 6
     assert not drawing.zero_area
     # E0 = 8 * (1 - 0) = 8 at the sample, kept without its lowest bit; a top edge owns its samples.
-    assert dict(drawing.setup)["e0"] == 4
+    assert dict(drawing.setup)["edge0_init"] == 4
 
 
 def test_a_walk_wraps_and_reads_out():

@@ -28,6 +28,9 @@ impl Shape {
     /// Everything.
     pub const ALL: Self = Self { zones: [true; 3], remainders: [true; 4] };
 
+    /// Nothing: the bench does not count.
+    pub const NONE: Self = Self { zones: [false; 3], remainders: [false; 4] };
+
     /// The remainders that `bits` dropped bits can have.
     pub fn of_bits(zones: [bool; 3], bits: u32) -> Self {
         Self { zones, remainders: [true, bits > 1, bits > 0, bits > 1] }

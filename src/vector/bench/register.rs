@@ -1,20 +1,24 @@
 //! The bench of a machine that begins at registers: words in, records out. Spec clause `N-2`.
 
-use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt, cut};
-use crate::case::triangle::{self, Directed, Stimulus};
-use crate::case::{Class, Words};
+use super::rig::NoFiles;
+use super::word::place_columns;
+use super::{
+    Bench, Coverage, FileSpec, Group, RegisterAnswers, Rig, Run, Shape, Source, TestAt, TestBench,
+    cut,
+};
+use crate::case::triangle::{self, Directed, Stimulus as Cases};
+use crate::case::{Class, Words, place};
 use crate::format::Column;
 use crate::machine::{Registers, columns};
-use crate::model::{Model, Records};
-use crate::profile::neighbours;
+use crate::model::Model;
+use crate::profile::Profile;
 use crate::setup::Triangle;
-use crate::vector::table::Table;
+use crate::vector::device::{Recorder, Stimulus, records};
+use crate::vector::table::{RowFormat, Table};
 use std::sync::Arc;
 
 /// Rows asked for in a walk file per random or scene test.
 const ROWS_PER_TEST: u64 = 256;
-/// The most records of a test: one with more is left out, or falls back on what a host would write.
-const LARGEST: u64 = 1024;
 /// Extent of a random triangle, in pixels.
 const REACH: i128 = 16;
 /// Triangles looked at for one that draws.
@@ -28,20 +32,38 @@ const ENDS: Class = Class {
     catches: "a register cut short, a sign not extended, a slope or start that wraps otherwise",
 };
 
+/// What a machine is given.
+#[derive(Clone, Debug)]
+pub struct RegisterTest {
+    /// Number of the test, the key of every row.
+    pub test: u64,
+    /// Its registers.
+    pub words: Vec<u32>,
+}
+
+impl RegisterTest {
+    /// The most records of a test: one with more is left out, or falls back on what a host would
+    /// write.
+    pub const LARGEST: u64 = 1024;
+}
+
+impl Stimulus for RegisterTest {
+    type Rows = RegisterAnswers<Table>;
+}
+
 /// Tests of registers.
 #[derive(Clone, Debug)]
 pub struct RegisterBench {
     model: Arc<Model>,
-    /// What the host's words are made by: a device that differs still gets the profile's.
-    host: Arc<Model>,
     registers: Registers,
     directed: Arc<Vec<Directed>>,
     scene: Arc<Vec<Triangle>>,
     /// Word, lowest bit and bits of each field.
     fields: Arc<Vec<(usize, u32, u32)>>,
-    stimulus: Stimulus,
+    stimulus: Cases,
     seed: u64,
-    files: Vec<FileSpec>,
+    cfg: FileSpec,
+    answers: RegisterAnswers<FileSpec>,
     groups: Vec<Group>,
 }
 
@@ -50,10 +72,12 @@ impl RegisterBench {
     pub fn new(source: &Source) -> Option<Self> {
         let model = Arc::new(Model::new(&source.profile).ok()?);
         let registers = model.registers()?.clone();
-        let stimulus = Stimulus::new(&source.profile);
+        let stimulus = Cases::new(&source.profile);
         let small = |triangle: &Triangle| {
             let words = model.host(triangle);
-            words.first().is_some_and(|words| records(&model, words).is_whole())
+            words
+                .first()
+                .is_some_and(|words| records(&model, words, RegisterTest::LARGEST).is_whole())
         };
         let mut directed = stimulus.directed();
         for class in &mut directed {
@@ -75,51 +99,64 @@ impl RegisterBench {
         groups.push(Group { class: ENDS, tests: each });
         groups.push(Group { class: triangle::RANDOM, tests: share });
         cut(&mut groups, source.count);
-        let files = files(&registers);
-        let (directed, scene) = (Arc::new(directed), Arc::new(scene));
-        let (host, fields) = (Arc::clone(&model), Arc::new(fields));
+        let (cfg, answers) = files(&registers);
+        let (directed, scene, fields) = (Arc::new(directed), Arc::new(scene), Arc::new(fields));
         let seed = source.seed;
         Some(Self {
             model,
-            host,
             registers,
             directed,
             scene,
             fields,
             stimulus,
             seed,
-            files,
+            cfg,
+            answers,
             groups,
         })
     }
 
+    /// The reference at this bench, or a device that differs from it in its model alone.
+    pub(in crate::vector) fn recorder(&self, model: Arc<Model>) -> Recorder {
+        Recorder { model, registers: self.registers.clone() }
+    }
+
+    /// The profile of the set.
+    pub fn profile(&self) -> &Profile {
+        self.model.profile()
+    }
+
+    /// Whether words draw anything.
+    fn draws(&self, words: &[u32]) -> bool {
+        records(&self.model, words, RegisterTest::LARGEST).total > 0
+    }
+
+    /// What a host writes for a triangle, the first list of it; zeros where it writes nothing.
+    fn host(&self, triangle: &Triangle) -> Vec<u32> {
+        let first = self.model.host(triangle).into_iter().next();
+        first.unwrap_or_else(|| vec![0; self.registers.input.len()])
+    }
+
+    /// A host's words for the first of a few triangles that draws at all, else for the first of
+    /// them: an empty one shows nothing of a register.
+    fn random(&self, index: u64) -> Vec<u32> {
+        let host = |n: u64| {
+            let key = Words::new(self.seed, STREAM, index * TRIES + n);
+            self.host(&self.stimulus.random(key, Some(REACH)))
+        };
+        (0..TRIES).map(host).find(|words| self.draws(words)).unwrap_or_else(|| host(0))
+    }
+
     /// The words of a test.
     fn words(&self, at: TestAt) -> Vec<u32> {
-        let index = usize::try_from(at.index).unwrap_or(0);
-        let host = |triangle: &Triangle| {
-            let mut lists = self.host.host(triangle);
-            let none = || vec![0; self.registers.input.len()];
-            if lists.is_empty() { none() } else { lists.swap_remove(0) }
-        };
+        let index = place(at.index);
         if let Some(class) = self.directed.get(at.group) {
-            return host(&class.triangles[index]);
+            return self.host(&class.triangles[index]);
         }
-        // The first of a few triangles that draws at all: an empty one shows nothing of a register.
-        let random = |index: u64| {
-            let mut lists = (0..TRIES).map(|n| {
-                let key = Words::new(self.seed, STREAM, index * TRIES + n);
-                host(&self.stimulus.random(key, Some(REACH)))
-            });
-            let first = lists.next().unwrap_or_default();
-            if !records(&self.host, &first).kept.is_empty() {
-                return first;
-            }
-            lists.find(|words| !records(&self.host, words).kept.is_empty()).unwrap_or(first)
-        };
         match at.group - self.directed.len() {
-            0 => host(&self.scene[index % self.scene.len().max(1)]),
+            0 => self.host(&self.scene[index % self.scene.len()]),
             1 => {
-                let words = random(at.index / 4);
+                let words = self.random(at.index / 4);
                 let mut changed = words.clone();
                 let (place, lowest, width) = self.fields[index / 4 % self.fields.len()];
                 let (all, top) = (u32::MAX >> (32 - width), 1 << (width - 1));
@@ -129,13 +166,15 @@ impl RegisterBench {
             }
             _ => {
                 // A few registers of a host's at random, so that nothing holds by construction.
-                let words = random(at.index);
+                let words = self.random(at.index);
                 let mut changed = words.clone();
                 let mut draw = Words::new(self.seed, STREAM + 1, at.index);
                 for _ in 0..draw.below(4) {
-                    let place = usize::try_from(draw.below(words.len() as u64)).unwrap_or(0);
-                    let bits = u32::try_from(draw.below(1 << 32)).unwrap_or(0);
-                    changed[place] = bits >> draw.below(32);
+                    let register = place(draw.below(words.len() as u64));
+                    let bits = draw.below(1 << 32);
+                    let bits = u32::try_from(bits)
+                        .unwrap_or_else(|_| unreachable!("{bits} < 2^32: it was bounded"));
+                    changed[register] = bits >> draw.below(32);
                 }
                 self.bounded(changed, words)
             }
@@ -144,30 +183,40 @@ impl RegisterBench {
 
     /// The words, unless they draw too much.
     fn bounded(&self, changed: Vec<u32>, otherwise: Vec<u32>) -> Vec<u32> {
-        if records(&self.host, &changed).is_whole() { changed } else { otherwise }
+        let drawn = records(&self.model, &changed, RegisterTest::LARGEST);
+        if drawn.is_whole() { changed } else { otherwise }
     }
 }
 
-/// What words draw.
-fn records(model: &Model, words: &[u32]) -> Records {
-    let mut records = Records::up_to(LARGEST);
-    // The number of words is the profile's own.
-    let _ = model.draw(words, &mut records);
-    records
-}
-
-fn files(registers: &Registers) -> Vec<FileSpec> {
-    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
+fn files(registers: &Registers) -> (FileSpec, RegisterAnswers<FileSpec>) {
     let spec = |stem: String, columns: Vec<Column>| {
-        let columns = std::iter::once(test()).chain(columns).collect();
-        FileSpec { stem, columns }
+        // A test writes several records of a kind: their order tells them.
+        FileSpec::ordered(stem, [place_columns(&[]), columns].concat())
     };
-    let mut files = vec![spec("words.cfg".to_owned(), columns(&registers.input))];
-    files.extend(registers.records.iter().map(|record| {
+    let records = registers.records.iter().map(|record| {
         let stem = format!("words-{}.exp", record.letter.to_ascii_lowercase());
         spec(stem, columns(&record.layout))
-    }));
-    files
+    });
+    let answers = RegisterAnswers { records: records.collect() };
+    (spec("words.cfg".to_owned(), columns(&registers.input)), answers)
+}
+
+impl TestBench for RegisterBench {
+    type Test = RegisterTest;
+
+    fn test(&self, at: TestAt, _: u64) -> RegisterTest {
+        RegisterTest { test: at.test, words: self.words(at) }
+    }
+
+    fn configure(&self, test: &RegisterTest, cfg: &mut Table) {
+        let words = test.words.iter().copied().map(i128::from);
+        cfg.push(&std::iter::once(i128::from(test.test)).chain(words).collect::<Vec<_>>());
+    }
+
+    fn tables(&self, format: RowFormat) -> (Table, RegisterAnswers<Table>) {
+        let table = |spec: &FileSpec| Table::new(format, &spec.columns);
+        (table(&self.cfg), self.answers.map(table))
+    }
 }
 
 impl Bench for RegisterBench {
@@ -175,8 +224,8 @@ impl Bench for RegisterBench {
         "words"
     }
 
-    fn files(&self) -> &[FileSpec] {
-        &self.files
+    fn files(&self) -> Vec<FileSpec> {
+        std::iter::once(&self.cfg).chain(self.answers.list()).cloned().collect()
     }
 
     fn groups(&self) -> &[Group] {
@@ -187,21 +236,15 @@ impl Bench for RegisterBench {
         None
     }
 
-    fn emit(&self, at: TestAt, _: u64, tables: &mut [Table], _: &mut Coverage) {
-        let [cfg, exps @ ..] = tables else { return };
-        let words = self.words(at);
-        let row = |words: &mut dyn Iterator<Item = u32>| -> Vec<i128> {
-            std::iter::once(i128::from(at.test)).chain(words.map(i128::from)).collect()
-        };
-        cfg.push(&row(&mut words.iter().copied()));
-        for (kind, values) in records(&self.model, &words).kept {
-            let record = &self.registers.records[kind];
-            exps[kind].push(&row(&mut record.words(&values)));
+    fn reference(&self, format: RowFormat) -> Box<dyn Run + '_> {
+        if format == RowFormat::TestFloat {
+            return Box::new(NoFiles(Coverage::default()));
         }
+        Box::new(Rig::new(self, Box::new(self.recorder(Arc::clone(&self.model))), format))
     }
 
     fn shape(&self) -> Shape {
-        Shape { zones: [false; 3], remainders: [false; 4] }
+        Shape::NONE
     }
 
     fn describe(&self, at: TestAt) -> String {
@@ -233,14 +276,5 @@ impl Bench for RegisterBench {
             return if fields.len() > 1 { fields } else { Vec::new() };
         }
         Vec::new()
-    }
-
-    fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {
-        let bench = |neighbour: crate::profile::Neighbour| {
-            let model = Arc::new(Model::new(&neighbour.profile).ok()?);
-            let bench: Box<dyn Bench> = Box::new(Self { model, ..self.clone() });
-            Some((neighbour.change, bench))
-        };
-        neighbours(self.model.profile()).into_iter().filter_map(bench).collect()
     }
 }

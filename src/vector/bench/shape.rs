@@ -3,17 +3,18 @@
 
 mod stimulus;
 
-use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt, cut};
-use crate::bits::Rounding;
-use crate::case::Class;
+use super::rig::NoFiles;
+use super::word::{PIXEL, RUN, place_columns};
+use super::{
+    Bench, Coverage, FileSpec, Group, Rig, Run, Shape, ShapeAnswers, Source, TestAt, TestBench, cut,
+};
 use crate::case::triangle::RANDOM;
-use crate::cover::{LineConfig, LineRule, PointConfig, PointRule, Start, Tie};
-use crate::format::Column;
+use crate::case::{Class, place};
 use crate::machine::Polygons;
-use crate::model::{Drawing, Model};
-use crate::profile::{Profile, neighbours};
-use crate::setup::{ClipTriangle, Polygon};
-use crate::vector::table::Table;
+use crate::model::Model;
+use crate::profile::Profile;
+use crate::vector::device::{ShapeDrawer, Stimulus};
+use crate::vector::table::{RowFormat, Table};
 use std::sync::Arc;
 
 /// Rows asked for in a walk file per random test.
@@ -45,6 +46,16 @@ impl ShapeKind {
         }
     }
 
+    /// How many vertices it has.
+    pub(in crate::vector) const fn vertices(self) -> usize {
+        match self {
+            Self::Line => 2,
+            Self::Point => 1,
+            Self::Quad => 4,
+            Self::Clip => 3,
+        }
+    }
+
     /// Whether a profile has it.
     fn is_of(self, profile: &Profile) -> bool {
         match self {
@@ -69,6 +80,19 @@ impl ShapeKind {
     }
 }
 
+/// What a device of one kind is given.
+#[derive(Clone, Debug)]
+pub struct ShapeTest {
+    /// Number of the test, the key of every row.
+    pub test: u64,
+    /// The words of the vertices, as the columns of the configuration have them.
+    pub words: Vec<i128>,
+}
+
+impl Stimulus for ShapeTest {
+    type Rows = ShapeAnswers<Table>;
+}
+
 /// Tests of one kind.
 #[derive(Clone, Debug)]
 pub struct ShapeBench {
@@ -78,7 +102,8 @@ pub struct ShapeBench {
     /// Classes and their tests, each the words of its vertices.
     directed: Arc<Vec<(Class, Vec<Vec<i128>>)>>,
     seed: u64,
-    files: Vec<FileSpec>,
+    cfg: FileSpec,
+    answers: ShapeAnswers<FileSpec>,
     groups: Vec<Group>,
 }
 
@@ -104,13 +129,28 @@ impl ShapeBench {
             .collect();
         groups.push(Group { class: RANDOM, tests: source.count / ROWS_PER_TEST });
         cut(&mut groups, source.count);
-        let files = files(kind, &model, has_depth);
-        Some(Self { kind, has_depth, model, directed, seed: source.seed, files, groups })
+        let (cfg, answers) = files(kind, &model, has_depth);
+        Some(Self { kind, has_depth, model, directed, seed: source.seed, cfg, answers, groups })
+    }
+
+    /// The reference at this bench, or a device that differs from it in its model alone.
+    pub(in crate::vector) fn drawer(&self, model: Arc<Model>) -> ShapeDrawer {
+        ShapeDrawer { kind: self.kind, has_depth: self.has_depth, model }
+    }
+
+    /// What is drawn.
+    pub fn kind(&self) -> ShapeKind {
+        self.kind
+    }
+
+    /// The profile of the set.
+    pub fn profile(&self) -> &Profile {
+        self.model.profile()
     }
 
     fn words(&self, at: TestAt) -> Vec<i128> {
         match self.directed.get(at.group) {
-            Some((_, list)) => list[usize::try_from(at.index).unwrap_or(0)].clone(),
+            Some((_, list)) => list[place(at.index)].clone(),
             None => stimulus::random(
                 self.kind,
                 self.model.profile(),
@@ -120,104 +160,36 @@ impl ShapeBench {
             ),
         }
     }
-
-    fn drawn(&self, words: &[i128]) -> Drawing {
-        let mut drawing = Drawing::default();
-        let stride = words.len() / self.vertices();
-        let vertices: Vec<&[i128]> = words.chunks(stride).collect();
-        let at = |n: usize| [vertices[n][0], vertices[n][1]];
-        let model = &self.model;
-        // What a machine refuses has no rows.
-        let _ = match self.kind {
-            ShapeKind::Line => {
-                model.place([at(0), at(1)]).map(|line| model.draw_own(&line, &mut drawing))
-            }
-            ShapeKind::Point => {
-                model.place(at(0)).map(|point| model.draw_own(&point, &mut drawing))
-            }
-            ShapeKind::Quad => {
-                let z = self.has_depth.then(|| vertices.iter().map(|v| v[2]).collect());
-                let polygon = Polygon { xy: (0..4).map(at).collect(), z };
-                model.place(polygon).map(|polygon| model.draw_own(&polygon, &mut drawing))
-            }
-            ShapeKind::Clip => {
-                let xyw = [0, 1, 2].map(|n: usize| [at(n)[0], at(n)[1], vertices[n][stride - 1]]);
-                let z = self.has_depth.then(|| [0, 1, 2].map(|n: usize| vertices[n][2]));
-                Ok(model.draw_own(&ClipTriangle { xyw, z }, &mut drawing))
-            }
-        };
-        drawing
-    }
-
-    const fn vertices(&self) -> usize {
-        match self.kind {
-            ShapeKind::Line => 2,
-            ShapeKind::Point => 1,
-            ShapeKind::Quad => 4,
-            ShapeKind::Clip => 3,
-        }
-    }
-
-    /// Profiles with another line or point rule, and what that is.
-    fn other_rules(&self) -> Vec<(String, Profile)> {
-        let profile = self.model.profile();
-        let mut changed = Vec::new();
-        match self.kind {
-            ShapeKind::Point => {
-                let rules = [("pixel", PointRule::Pixel), ("pixel-d3d", PointRule::PixelD3d)];
-                changed.extend(rules.map(|(name, rule)| {
-                    let point = Some(PointConfig { rule });
-                    (format!("point.rule is {name}"), Profile { point, ..profile.clone() })
-                }));
-            }
-            ShapeKind::Line => {
-                let rules = [
-                    ("diamond-d3d", LineRule::DiamondD3d),
-                    ("diamond-vulkan", LineRule::DiamondVulkan),
-                    ("bresenham", LineRule::Bresenham),
-                    ("midpoint with ties north-east", LineRule::Midpoint { tie: Tie::NorthEast }),
-                    (
-                        "integer-incremental from zero",
-                        LineRule::IntegerIncremental { start: Start::Zero },
-                    ),
-                    ("naive, floored", LineRule::Naive { rounding: Rounding::Floor }),
-                ];
-                let stipple = profile.line.and_then(|line| line.stipple);
-                changed.extend(rules.map(|(name, rule)| {
-                    let line = Some(LineConfig { rule, stipple });
-                    (format!("line.rule is {name}"), Profile { line, ..profile.clone() })
-                }));
-            }
-            ShapeKind::Quad | ShapeKind::Clip => {
-                changed.extend(neighbours(profile).into_iter().map(|n| (n.change, n.profile)));
-            }
-        }
-        changed.retain(|(_, changed)| changed != profile);
-        changed
-    }
 }
 
-fn files(kind: ShapeKind, model: &Model, has_depth: bool) -> Vec<FileSpec> {
-    let test = || Column::new("test", 32, false, 0, "Number of the test, from 0.");
-    let pixel = |name, meaning| Column::new(name, 17, false, 0, meaning);
+fn files(kind: ShapeKind, model: &Model, has_depth: bool) -> (FileSpec, ShapeAnswers<FileSpec>) {
     let name = kind.name();
-    let mut cfg = vec![test()];
+    let mut cfg = place_columns(&[]);
     cfg.extend(stimulus::columns(kind, model, has_depth));
-    let exp = vec![
-        test(),
-        pixel("y", "Row."),
-        pixel("x0", "First column."),
-        pixel("x1", "One past the last column."),
-    ];
-    let mut files = vec![
-        FileSpec { stem: format!("{name}.cfg"), columns: cfg },
-        FileSpec { stem: format!("{name}.exp"), columns: exp },
-    ];
-    if let Some(z) = model.ports().depth.as_ref().filter(|_| has_depth) {
-        let columns = vec![test(), pixel("x", "Column."), pixel("y", "Row."), z.clone()];
-        files.push(FileSpec { stem: format!("{name}-depth.exp"), columns });
+    let depths = model.ports().depth.as_ref().filter(|_| has_depth).map(|depth| {
+        let stem = format!("{name}-depth.exp");
+        FileSpec::keyed(stem, place_columns(PIXEL), vec![depth.clone()])
+    });
+    let spans = FileSpec::keyed(format!("{name}.exp"), place_columns(RUN), Vec::new());
+    (FileSpec::ordered(format!("{name}.cfg"), cfg), ShapeAnswers { spans, depths })
+}
+
+impl TestBench for ShapeBench {
+    type Test = ShapeTest;
+
+    fn test(&self, at: TestAt, _: u64) -> ShapeTest {
+        ShapeTest { test: at.test, words: self.words(at) }
     }
-    files
+
+    fn configure(&self, test: &ShapeTest, cfg: &mut Table) {
+        let words = test.words.iter().copied();
+        cfg.push(&std::iter::once(i128::from(test.test)).chain(words).collect::<Vec<_>>());
+    }
+
+    fn tables(&self, format: RowFormat) -> (Table, ShapeAnswers<Table>) {
+        let table = |spec: &FileSpec| Table::new(format, &spec.columns);
+        (table(&self.cfg), self.answers.map(table))
+    }
 }
 
 impl Bench for ShapeBench {
@@ -225,8 +197,8 @@ impl Bench for ShapeBench {
         self.kind.name()
     }
 
-    fn files(&self) -> &[FileSpec] {
-        &self.files
+    fn files(&self) -> Vec<FileSpec> {
+        std::iter::once(&self.cfg).chain(self.answers.list()).cloned().collect()
     }
 
     fn groups(&self) -> &[Group] {
@@ -237,29 +209,20 @@ impl Bench for ShapeBench {
         None
     }
 
-    fn emit(&self, at: TestAt, _: u64, tables: &mut [Table], _: &mut Coverage) {
-        let [cfg, exp, depths @ ..] = tables else { return };
-        let words = self.words(at);
-        let test = i128::from(at.test);
-        cfg.push(&std::iter::once(test).chain(words.iter().copied()).collect::<Vec<_>>());
-        let drawing = self.drawn(&words);
-        let mut values = drawing.depth.iter();
-        for span in &drawing.spans {
-            exp.push(&[test, i128::from(span.y), i128::from(span.x0), i128::from(span.x1)]);
-            let [depths] = &mut *depths else { continue };
-            for (x, z) in (span.x0..span.x1).zip(&mut values) {
-                depths.push(&[test, i128::from(x), i128::from(span.y), i128::from(*z)]);
-            }
+    fn reference(&self, format: RowFormat) -> Box<dyn Run + '_> {
+        if format == RowFormat::TestFloat {
+            return Box::new(NoFiles(Coverage::default()));
         }
+        Box::new(Rig::new(self, Box::new(self.drawer(Arc::clone(&self.model))), format))
     }
 
     fn shape(&self) -> Shape {
-        Shape { zones: [false; 3], remainders: [false; 4] }
+        Shape::NONE
     }
 
     fn describe(&self, at: TestAt) -> String {
         let words = self.words(at);
-        let stride = words.len() / self.vertices();
+        let stride = words.len() / self.kind.vertices();
         let vertices = words.chunks(stride).map(|vertex| {
             let parts: Vec<String> = vertex.iter().map(ToString::to_string).collect();
             format!(" ({})", parts.join(", "))
@@ -274,14 +237,5 @@ impl Bench for ShapeBench {
 
     fn fields(&self, _: &str) -> Vec<(String, u32)> {
         Vec::new()
-    }
-
-    fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {
-        let bench = |(name, profile): (String, Profile)| {
-            let model = Arc::new(Model::new(&profile).ok()?);
-            let bench: Box<dyn Bench> = Box::new(Self { model, ..self.clone() });
-            Some((name, bench))
-        };
-        self.other_rules().into_iter().filter_map(bench).collect()
     }
 }

@@ -1,20 +1,16 @@
 //! The `dda` and `edge` benches: a planar DDA with its read-out, and an edge stepper.
 
-mod body;
-mod quirk;
-
-use super::{Bench, Coverage, FileSpec, Group, Shape, Source, TestAt};
-use crate::case::Words;
+use super::rig::OperandRig;
+use super::{Bench, FileSpec, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench};
 use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
+use crate::case::{Words, place};
 use crate::cover::SampleGrid;
-use crate::format::{Clamp, Column, Decode, ReadOut};
-use crate::profile::{Profile, neighbours};
+use crate::format::{Clamp, ReadOut, Role, Word};
+use crate::profile::Profile;
 use crate::setup::Triangle;
 use crate::value::Depth;
-use crate::vector::bench::slip::Register;
-use crate::vector::table::Table;
-use quirk::{Quirk, quirks};
-use std::sync::{Arc, Mutex};
+use crate::vector::device::{Operands, Stepper, Stimulus, walker};
+use crate::vector::table::{RowFormat, Table};
 
 /// Which stepper.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,36 +21,41 @@ pub enum WalkKind {
     Edge,
 }
 
-/// A body on `i64` lanes.
+/// What a stepper is given: the words of a walk, and its operations clock by clock.
 #[derive(Clone, Copy, Debug)]
-enum Fast {
-    /// A read-out that keeps the whole accumulator.
-    Depth(Decode<i64>),
-    /// An edge word.
-    Edge,
+pub struct WalkTest {
+    /// Start, slopes and operations.
+    pub walk: Walk,
+    /// Clocks, the load included.
+    pub rows: u32,
+}
+
+impl Stimulus for WalkTest {
+    type Rows = Single<Table>;
 }
 
 /// Tests of a stepper.
 #[derive(Clone, Debug)]
 pub struct WalkBench {
     kind: WalkKind,
-    /// Width of the stimulus words and of the files' columns.
-    width: u32,
-    /// How the device under this hypothesis reads out; for edges only its width counts.
+    /// The accumulator and its read-out; of an edge word only the width counts.
     read: ReadOut,
-    quirk: Quirk,
-    /// A slipping device's state before the test of that number.
-    memory: Arc<Mutex<Option<(u64, Register)>>>,
-    /// The quick body, if the word fits a lane and the device is as specified.
-    fast: Option<Fast>,
-    directed: Arc<Vec<Directed>>,
-    scene: Arc<Vec<Triangle>>,
+    directed: Vec<Directed>,
+    scene: Vec<SceneWalk>,
     profile: Profile,
-    depth: Option<Depth>,
     grid: SampleGrid,
     seed: u64,
-    files: Vec<FileSpec>,
+    cfg: FileSpec,
+    exp: Single<FileSpec>,
     groups: Vec<Group>,
+}
+
+/// A triangle of the scene: where its walk begins, and its words at pixel (0, 0).
+#[derive(Clone, Debug)]
+struct SceneWalk {
+    triangle: Triangle,
+    /// A word and its slopes: those of the depth plane, or of each edge.
+    planes: Vec<[i128; 3]>,
 }
 
 impl WalkBench {
@@ -62,20 +63,30 @@ impl WalkBench {
     pub fn new(kind: WalkKind, source: &Source) -> Option<Self> {
         let profile = &source.profile;
         let grid = profile.grid().ok()?;
-        let depth = profile.depth.and_then(|config| {
-            Depth::new(config, &profile.vertex, crate::dda::Processor::best()).ok()
-        });
-        let read = Self::read_out(kind, profile, depth)?;
-        let width = read.width();
+        let depth = depth_of(profile);
+        let read = read_out(kind, profile)?;
         let directed = match kind {
             WalkKind::Depth => walk::depth(read),
-            WalkKind::Edge => walk::edge(width),
+            WalkKind::Edge => walk::edge(read.width()),
         };
-        let scene: Vec<Triangle> = source
+        let planes = |triangle: &Triangle| match kind {
+            WalkKind::Depth => {
+                let plane = depth.zip(triangle.z).map(|(d, z)| d.plane(triangle, z, &grid));
+                plane.map(|plane| plane.raw()).into_iter().collect()
+            }
+            WalkKind::Edge => {
+                let words = profile.form.edge().map(|edges| edges.words(triangle, &grid));
+                let edge = |k: usize| words.as_ref().map(|w| w.raw(k));
+                (0..3).filter_map(edge).collect::<Vec<_>>()
+            }
+        };
+        let scene: Vec<SceneWalk> = source
             .scene
             .iter()
             .map(|triangle| triangle.normalised())
-            .filter(|t| t.area2() > 0 && (kind == WalkKind::Edge || t.z.is_some()))
+            .filter(|triangle| triangle.area2() > 0)
+            .map(|triangle| SceneWalk { planes: planes(&triangle), triangle })
+            .filter(|walk| !walk.planes.is_empty())
             .collect();
         let directed_rows: u64 =
             directed.iter().flat_map(|class| &class.walks).map(|walk| u64::from(walk.rows)).sum();
@@ -92,116 +103,122 @@ impl WalkBench {
             class: walk::RANDOM,
             tests: random_rows.div_ceil(u64::from(RANDOM_ROWS)),
         });
-        let files = Self::file_specs(kind, width, read);
-        Some(Self {
-            kind,
-            width,
-            read,
-            quirk: Quirk::None,
-            memory: Arc::default(),
-            fast: Self::fast(kind, read),
-            directed: Arc::new(directed),
-            scene: Arc::new(scene),
-            profile: profile.clone(),
-            depth,
-            grid,
-            seed: source.seed,
-            files,
-            groups,
-        })
+        let (cfg, exp) = Self::file_specs(kind, read);
+        let (profile, seed) = (profile.clone(), source.seed);
+        Some(Self { kind, read, directed, scene, profile, grid, seed, cfg, exp, groups })
     }
 
-    fn read_out(kind: WalkKind, profile: &Profile, depth: Option<Depth>) -> Option<ReadOut> {
-        match kind {
-            WalkKind::Depth => Some(depth?.read_out()),
-            // An edge word has no fraction that is read out and no clamp.
-            WalkKind::Edge => profile.form.edge()?.read_out(),
-        }
+    /// Which stepper it is for.
+    pub fn kind(&self) -> WalkKind {
+        self.kind
     }
 
-    fn fast(kind: WalkKind, read: ReadOut) -> Option<Fast> {
-        match kind {
-            WalkKind::Edge => (read.width() <= 64).then_some(Fast::Edge),
-            WalkKind::Depth if matches!(read.clamp(), Clamp::Wrap | Clamp::Saturate) => None,
-            WalkKind::Depth => read.decode().map(Fast::Depth),
-        }
+    /// The accumulator and its read-out.
+    pub fn read(&self) -> ReadOut {
+        self.read
     }
 
-    fn file_specs(kind: WalkKind, width: u32, read: ReadOut) -> Vec<FileSpec> {
-        let op = Column::new("op", 2, false, 0, "0 load, 1 step by dx, 2 step by dy, 3 hold.");
-        let fraction = if kind == WalkKind::Depth { read.fraction() } else { 0 };
-        let word = |name, meaning| Column::new(name, width, true, fraction, meaning);
+    /// The profile of the set.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    fn file_specs(kind: WalkKind, read: ReadOut) -> (FileSpec, Single<FileSpec>) {
+        let width = read.width();
+        let op = Role::OP.column(Word::unsigned(2));
+        let word = |role: Role| {
+            let fraction = if kind == WalkKind::Depth { read.fraction() } else { 0 };
+            role.column(Word::signed(width).fraction(fraction))
+        };
         match kind {
             WalkKind::Depth => {
-                let out = "Read-out after the clamp.";
-                let exp = vec![
-                    op,
-                    word("acc", "Accumulator after the clock edge."),
-                    Column::new("out", read.integer(), false, 0, out),
-                ];
-                let cfg = vec![
-                    word("init", "Accumulator that the load takes."),
-                    word("dx", "Slope per pixel to the right."),
-                    word("dy", "Slope per row downward."),
-                ];
-                vec![
-                    FileSpec { stem: "dda.cfg".to_owned(), columns: cfg },
-                    FileSpec { stem: "dda.exp".to_owned(), columns: exp },
-                ]
+                let cfg = [Role::INIT, Role::DX, Role::DY].map(word).to_vec();
+                let out = Role::OUT.column(Word::unsigned(read.integer()));
+                let exp = vec![op, word(Role::ACC), out];
+                (
+                    FileSpec::ordered("dda.cfg", cfg),
+                    Single { exp: FileSpec::ordered("dda.exp", exp) },
+                )
             }
             WalkKind::Edge => {
-                let cfg = vec![
-                    word("e0", "Edge word that the load takes, bias and shift done."),
-                    word("ea", "Step per pixel to the right."),
-                    word("eb", "Step per row downward."),
-                ];
-                let exp = vec![
-                    op,
-                    word("e", "Edge word after the clock edge."),
-                    Column::new("in", 1, false, 0, "1 when the sign bit of e is clear."),
-                ];
-                vec![
-                    FileSpec { stem: "edge.cfg".to_owned(), columns: cfg },
-                    FileSpec { stem: "edge.exp".to_owned(), columns: exp },
-                ]
+                let roles = [Role::WALKED_EDGE_INIT, Role::WALKED_EDGE_DX, Role::WALKED_EDGE_DY];
+                let cfg = roles.map(word).to_vec();
+                let inside = Role::INSIDE.column(Word::unsigned(1));
+                let exp = vec![op, word(Role::WALKED_EDGE), inside];
+                (
+                    FileSpec::ordered("edge.cfg", cfg),
+                    Single { exp: FileSpec::ordered("edge.exp", exp) },
+                )
             }
         }
+    }
+
+    /// The file of the operand form.
+    fn operands(&self) -> FileSpec {
+        let word = Word::signed(self.read.width());
+        let operands = [Role::BEFORE, Role::ADDEND, Role::AFTER].map(|role| role.column(word));
+        let result = self.exp.exp.columns[2].clone();
+        let flags = Role::FLAGS.column(Word::unsigned(4));
+        let columns = operands.into_iter().chain([result, flags]).collect();
+        FileSpec::ordered(self.name(), columns)
     }
 
     fn walk(&self, at: TestAt) -> Walk {
         if let Some(class) = self.directed.get(at.group) {
-            return class.walks[usize::try_from(at.index).unwrap_or(usize::MAX)];
+            return class.walks[place(at.index)];
         }
         if at.group == self.directed.len() {
             return self.scene_walk(at.index);
         }
         let class = if self.kind == WalkKind::Depth { 1 } else { 2 };
-        walk::random(self.width, Words::new(self.seed, class, at.index))
+        walk::random(self.read.width(), Words::new(self.seed, class, at.index))
     }
 
     /// A walk over the pixels of a scene triangle from the corner of its bounding box.
     fn scene_walk(&self, index: u64) -> Walk {
         let count = self.scene.len() as u64;
-        let triangle = self.scene[usize::try_from(index % count).unwrap_or(0)];
+        let SceneWalk { triangle, planes } = &self.scene[place(index % count)];
         let (x0, x1) = self.grid.pixels(0, triangle.extent(0));
         let (y0, _) = self.grid.pixels(1, triangle.extent(1));
-        let width = u32::try_from((x1 - x0).clamp(1, 1 << 16)).unwrap_or(1);
-        let pattern = Pattern::Raster(width);
-        let (init, dx, dy) = match (self.kind, self.profile.form.edge(), self.depth, triangle.z) {
-            (WalkKind::Depth, _, Some(depth), Some(z)) => {
-                let plane = depth.plane(&triangle, z, &self.grid);
-                (plane.at(x0, y0).raw(), plane.dx().raw(), plane.dy().raw())
-            }
-            (WalkKind::Edge, Some(edges), ..) => {
-                let words = edges.words(&triangle, &self.grid);
-                // Each lap over the scene takes another edge.
-                let k = usize::try_from(index / count % 3).unwrap_or(0);
-                let [_, dx, dy] = words.raw(k);
-                (words.at(k, x0, y0).raw(), dx, dy)
-            }
-            _ => (0, 0, 0),
-        };
-        Walk { init, dx, dy, pattern, rows: SCENE_ROWS }
+        let width = u32::try_from((x1 - x0).clamp(1, 1 << 16))
+            .unwrap_or_else(|_| unreachable!("1 to 2^16 columns"));
+        // Each lap over the scene takes another edge.
+        let [start, dx, dy] = planes[place(index / count) % planes.len()];
+        let init = start.wrapping_add(dx.wrapping_mul(x0)).wrapping_add(dy.wrapping_mul(y0));
+        Walk { init, dx, dy, pattern: Pattern::Raster(width), rows: SCENE_ROWS }
+    }
+}
+
+/// The depth of a profile, if it has any.
+fn depth_of(profile: &Profile) -> Option<Depth> {
+    let processor = crate::dda::Processor::best();
+    profile.depth.and_then(|config| Depth::new(config, &profile.vertex, processor).ok())
+}
+
+/// The accumulator of a stepper of this profile, if it has one.
+pub(in crate::vector) fn read_out(kind: WalkKind, profile: &Profile) -> Option<ReadOut> {
+    match kind {
+        WalkKind::Depth => Some(depth_of(profile)?.read_out()),
+        // An edge word has no fraction that is read out and no clamp.
+        WalkKind::Edge => profile.form.edge()?.read_out(),
+    }
+}
+
+impl TestBench for WalkBench {
+    type Test = WalkTest;
+
+    fn test(&self, at: TestAt, limit: u64) -> WalkTest {
+        let walk = self.walk(at);
+        WalkTest { walk, rows: u32::try_from(limit).map_or(walk.rows, |most| walk.rows.min(most)) }
+    }
+
+    fn configure(&self, test: &WalkTest, cfg: &mut Table) {
+        cfg.push(&[test.walk.init, test.walk.dx, test.walk.dy]);
+    }
+
+    fn tables(&self, format: RowFormat) -> (Table, Single<Table>) {
+        let table = |spec: &FileSpec| Table::new(format, &spec.columns);
+        (table(&self.cfg), self.exp.map(table))
     }
 }
 
@@ -210,8 +227,8 @@ impl Bench for WalkBench {
         if self.kind == WalkKind::Depth { "dda" } else { "edge" }
     }
 
-    fn files(&self) -> &[FileSpec] {
-        &self.files
+    fn files(&self) -> Vec<FileSpec> {
+        std::iter::once(&self.cfg).chain(self.exp.list()).cloned().collect()
     }
 
     fn groups(&self) -> &[Group] {
@@ -220,40 +237,26 @@ impl Bench for WalkBench {
 
     fn rows(&self, at: TestAt) -> Option<u64> {
         Some(match self.directed.get(at.group) {
-            Some(class) => u64::from(class.walks[usize::try_from(at.index).ok()?].rows),
+            Some(class) => u64::from(class.walks[place(at.index)].rows),
             None if at.group == self.directed.len() => u64::from(SCENE_ROWS),
             None => u64::from(RANDOM_ROWS),
         })
     }
 
-    fn emit(&self, at: TestAt, limit: u64, tables: &mut [Table], coverage: &mut Coverage) {
-        let walk = self.walk(at);
-        let rows = walk.rows.min(u32::try_from(limit).unwrap_or(u32::MAX));
-        if let [operands] = tables {
-            self.emit_operands(&walk, rows, operands);
-            return;
+    fn reference(&self, format: RowFormat) -> Box<dyn Run + '_> {
+        if format != RowFormat::TestFloat {
+            return Box::new(Rig::new(self, walker(self.kind, self.read), format));
         }
-        let [cfg, exp] = tables else { return };
-        cfg.push(&[walk.init, walk.dx, walk.dy]);
-        match &self.fast {
-            Some(Fast::Depth(decode)) => self.emit_depth(&walk, rows, decode, exp, coverage),
-            Some(Fast::Edge) => self.emit_edge(&walk, rows, exp, coverage),
-            None => self.emit_plain(&walk, (at.test, rows), exp, coverage),
-        }
+        let (kind, read) = (self.kind, self.read);
+        let operands = Operands(Stepper { kind, port: read.width(), read });
+        let write = move |at, limit, table: &mut Table| {
+            operands.write(&self.test(at, limit), table);
+        };
+        Box::new(OperandRig::new(Table::new(format, &self.operands().columns), write))
     }
 
     fn operand_file(&self) -> Option<FileSpec> {
-        let word = |name, meaning| Column::new(name, self.width, true, 0, meaning);
-        let result = self.files[1].columns[2].clone();
-        let flags = "Bit 0 wrap, 1 clamped above, 2 clamped below, 3 inexact.";
-        let columns = vec![
-            word("a", "Accumulator before the clock edge, 0 for a load."),
-            word("b", "What is added."),
-            word("r", "Accumulator after the clock edge."),
-            result,
-            Column::new("flags", 4, false, 0, flags),
-        ];
-        Some(FileSpec { stem: self.name().to_owned(), columns })
+        Some(self.operands())
     }
 
     fn shape(&self) -> Shape {
@@ -274,15 +277,11 @@ impl Bench for WalkBench {
         }
     }
 
-    fn unsettled(&self) -> u64 {
-        u64::from(matches!(self.quirk, Quirk::Late | Quirk::LateOut))
-    }
-
     fn describe(&self, at: TestAt) -> String {
         let walk = self.walk(at);
         let word = |value: i128| {
-            let bits = value.cast_unsigned() & (u128::MAX >> (128 - self.width));
-            crate::bits::hex(bits, self.width)
+            let width = self.read.width();
+            crate::bits::hex(value.cast_unsigned() & (u128::MAX >> (128 - width)), width)
         };
         let [start, dx, dy] = [walk.init, walk.dx, walk.dy].map(word);
         format!("a walk from {start} by dx {dx}, dy {dy}")
@@ -291,32 +290,12 @@ impl Bench for WalkBench {
     fn fields(&self, column: &str) -> Vec<(String, u32)> {
         let (guard, integer, fraction) =
             (self.read.guard(), self.read.integer(), self.read.fraction());
-        if column == "acc" {
+        if column == Role::ACC.pattern {
             [("guard", guard), ("integer", integer), ("fraction", fraction)]
                 .map(|(name, bits)| (name.to_owned(), bits))
                 .to_vec()
         } else {
             Vec::new()
         }
-    }
-
-    fn variants(&self) -> Vec<(String, Box<dyn Bench>)> {
-        let mut list: Vec<(String, Box<dyn Bench>)> = Vec::new();
-        for neighbour in neighbours(&self.profile) {
-            let depth = neighbour.profile.depth.and_then(|config| {
-                Depth::new(config, &neighbour.profile.vertex, crate::dda::Processor::best()).ok()
-            });
-            let Some(read) = Self::read_out(self.kind, &neighbour.profile, depth) else { continue };
-            if read != self.read {
-                // Stimulus and columns stay; only the device changes.
-                let bench = Self { read, fast: None, ..self.clone() };
-                list.push((neighbour.change, Box::new(bench)));
-            }
-        }
-        for (quirk, name) in quirks(self.kind, self.read) {
-            let memory = Arc::default();
-            list.push((name, Box::new(Self { quirk, memory, fast: None, ..self.clone() })));
-        }
-        list
     }
 }

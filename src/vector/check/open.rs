@@ -4,6 +4,8 @@ use super::{CheckError, Finding, OpenSet, io};
 use crate::model::MODEL_VERSION;
 use crate::vector::manifest::{self, Manifest};
 use crate::vector::write::{INDEX, SetIndex};
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -89,12 +91,25 @@ fn strangers(dir: &Path, index: &SetIndex, findings: &mut Vec<Finding>) -> Resul
     Ok(())
 }
 
-fn parse_json<T: serde::de::DeserializeOwned>(text: &str, path: &Path) -> Result<T, CheckError> {
+fn parse_json<T: DeserializeOwned>(text: &str, path: &Path) -> Result<T, CheckError> {
+    let path = path.display().to_string();
+    // The schema first: it says what the rest looks like.
+    if let Ok(Schema { schema: found }) = serde_json::from_str(text)
+        && found != manifest::SCHEMA
+    {
+        return Err(CheckError::OtherSchema { path, found });
+    }
     serde_json::from_str(text).map_err(|error| CheckError::Malformed {
-        path: path.display().to_string(),
+        path,
         line: error.line(),
         message: error.to_string(),
     })
+}
+
+/// What files of every schema have.
+#[derive(Deserialize)]
+struct Schema {
+    schema: u32,
 }
 
 /// A file that must be the canonical form of what it says, digest included.

@@ -48,14 +48,25 @@ pub fn source(set: &OpenSet, scene: Vec<Triangle>) -> Source {
     }
 }
 
-/// The row format and compression of a set.
-pub fn format(manifest: &Manifest) -> (RowFormat, bool) {
-    let all =
-        [RowFormat::Tv, RowFormat::Bin, RowFormat::Csv, RowFormat::Jsonl, RowFormat::TestFloat];
-    let name = manifest.format.strip_suffix(".zst");
-    let plain = name.unwrap_or(&manifest.format);
-    let format = all.into_iter().find(|format| format.extension() == plain).unwrap_or_default();
-    (format, name.is_some())
+/// The row format of a set, and whether it is compressed.
+///
+/// # Errors
+/// [`CheckError::Malformed`] if this version writes no such form.
+pub fn format(set: &OpenSet) -> Result<(RowFormat, bool), CheckError> {
+    let found = &set.manifest.format;
+    let (plain, zstd) = match found.strip_suffix(".zst") {
+        Some(plain) => (plain, true),
+        None => (found.as_str(), false),
+    };
+    let format = RowFormat::ALL.into_iter().find(|format| format.extension() == plain);
+    format.map(|format| (format, zstd)).ok_or_else(|| {
+        let known = RowFormat::ALL.map(RowFormat::extension).join(", ");
+        CheckError::Malformed {
+            path: set.folder.join(manifest::NAME).display().to_string(),
+            line: 1,
+            message: format!("format: {found:?} is none of {known}, plain or with .zst"),
+        }
+    })
 }
 
 /// Derives files again and names the first difference of each: the suspects, or every file.
@@ -66,7 +77,7 @@ pub(super) fn recompute(
 ) -> Result<Vec<Finding>, CheckError> {
     let mut findings: Vec<Finding> = Vec::new();
     let wanted = |name: &str| everything || suspects.contains(&name);
-    let (format, zstd) = format(&set.manifest);
+    let (format, zstd) = format(set)?;
     let scene_path = set.folder.join("scene.jsonl");
     if suspects.contains(&"scene.jsonl") {
         // Nothing can be derived from a damaged scene: say so, and name the other suspects too.

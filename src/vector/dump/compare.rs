@@ -1,77 +1,69 @@
 //! Row by row, in order or by key.
 
 use super::explain::mismatch_text;
-use super::read::{DumpError, DumpRow, RowReader};
+use super::read::Dump;
 use super::{DumpReport, Mismatch, Subject};
-use crate::vector::bench::{Bench, Coverage, TestAt};
+use crate::vector::bench::{Run, TestAt};
 use crate::vector::plan::test_id;
-use crate::vector::table::{RowFormat, Table};
+use crate::vector::table::{RowFormat, unpack};
 use std::collections::HashMap;
-use std::path::Path;
 
-/// The expectations of one test in the subject's file, under any bench of the same files.
-pub(super) struct Expected {
-    tables: Vec<Table>,
+/// What a device answers in the subject's file, test by test, its rows packed.
+pub(super) struct Answer<'r> {
+    run: Box<dyn Run + 'r>,
     file: usize,
+    stride: usize,
+    rows: Vec<u8>,
 }
 
-impl Expected {
-    pub(super) fn new(subject: &Subject) -> Self {
-        let files = subject.bench.files();
-        let tables = files.iter().map(|spec| Table::new(RowFormat::Tv, &spec.columns)).collect();
-        Self { tables, file: subject.file }
+impl<'r> Answer<'r> {
+    /// The answers of a device whose tables have the form `bin`.
+    pub(super) fn new(subject: &Subject, run: Box<dyn Run + 'r>) -> Self {
+        Self { run, file: subject.file, stride: subject.stride(), rows: Vec::new() }
     }
 
-    /// Rows of words.
-    pub(super) fn rows(&mut self, bench: &dyn Bench, at: TestAt, limit: u64) -> Vec<Vec<u128>> {
-        for table in &mut self.tables {
+    /// The expectations.
+    pub(super) fn expected(subject: &'r Subject) -> Self {
+        Self::new(subject, subject.bench.reference(RowFormat::Bin))
+    }
+
+    /// Rows of one test.
+    pub(super) fn rows(&mut self, at: TestAt, limit: u64) -> impl Iterator<Item = &[u8]> {
+        self.run.run(at, limit);
+        for (file, table) in self.run.tables().into_iter().enumerate() {
+            if file == self.file {
+                std::mem::swap(&mut self.rows, &mut table.buffer);
+            }
             table.buffer.clear();
         }
-        bench.emit(at, limit, &mut self.tables, &mut Coverage::default());
-        self.tables[self.file].take_words()
+        self.rows.chunks_exact(self.stride)
     }
 }
 
-/// Whether a row of a dump agrees with the expectation, where the dump's mask looks.
-pub(super) fn agrees(expected: &[u128], row: &DumpRow) -> bool {
-    expected.iter().enumerate().all(|(n, word)| {
-        (row.unknown[n] & !row.ignored[n]) == 0 && (word ^ row.words[n]) & !row.ignored[n] == 0
-    })
-}
+/// Rows of a keyed dump, by test.
+pub(super) type ByTest = HashMap<u128, Vec<usize>>;
 
-/// All rows of a keyed dump, by test.
-pub(super) type ByTest = HashMap<u128, Vec<DumpRow>>;
-
-/// Reads a keyed dump.
-pub(super) fn by_test(
-    subject: &Subject,
-    dump: &Path,
-) -> Result<(ByTest, u64, Option<u64>), DumpError> {
-    let mut reader = RowReader::open(dump, &subject.spec.columns)?;
-    let (mut rows, mut map) = (0, ByTest::new());
-    while let Some(row) = reader.next_row()? {
-        rows += 1;
-        map.entry(row.words[0]).or_default().push(row);
+/// Sorts the rows of a keyed dump by the test that they name.
+pub(super) fn by_test(subject: &Subject, dump: &Dump) -> ByTest {
+    let mut map = ByTest::new();
+    for row in 0..dump.rows() {
+        let test = unpack(dump.row(row), &subject.spec.columns[..1])[0];
+        map.entry(test).or_default().push(row);
     }
-    Ok((map, rows, reader.cut()))
+    map
 }
 
 /// Compares a dump with the set's own expectations.
-pub(super) fn against(
-    subject: &Subject,
-    dump: &Path,
-    most: usize,
-) -> Result<DumpReport, DumpError> {
-    let mut report = DumpReport::default();
+pub(super) fn against(subject: &Subject, dump: &Dump, most: usize) -> DumpReport {
+    let rows = dump.rows() as u64;
+    let mut report = DumpReport { rows, cut: dump.cut(), ..DumpReport::default() };
     if subject.key() > 0 {
-        keyed(subject, dump, most, &mut report)?;
+        keyed(subject, dump, most, &mut report);
     } else {
-        ordered(subject, dump, most, &mut report)?;
+        ordered(subject, dump, most, &mut report);
     }
-    if report.rows == 0 && report.expected_rows > 0 {
-        return Err(DumpError::Empty { path: dump.display().to_string() });
-    }
-    Ok(report)
+    beginning_too_much(&mut report, most);
+    report
 }
 
 fn keep(report: &mut DumpReport, most: usize, mismatch: impl FnOnce() -> Mismatch) {
@@ -81,78 +73,63 @@ fn keep(report: &mut DumpReport, most: usize, mismatch: impl FnOnce() -> Mismatc
     }
 }
 
-fn ordered(
-    subject: &Subject,
-    dump: &Path,
-    most: usize,
-    report: &mut DumpReport,
-) -> Result<(), DumpError> {
-    let mut reader = RowReader::open(dump, &subject.spec.columns)?;
-    let mut expected = Expected::new(subject);
+fn ordered(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
+    let mut expected = Answer::expected(subject);
     let bench = &*subject.bench;
+    let mut next = 0;
     for (at, limit) in subject.tests() {
-        for (n, words) in expected.rows(bench, at, limit).iter().enumerate() {
+        for (n, words) in expected.rows(at, limit).enumerate() {
             report.expected_rows += 1;
-            if report.short {
+            if next == dump.rows() {
+                if !report.short {
+                    keep(report, most, || Mismatch {
+                        row: None,
+                        line: None,
+                        test: test_id(bench, at),
+                        text: "the dump ends here: a simulation that stopped early?".to_owned(),
+                    });
+                }
+                report.short = true;
                 continue;
             }
-            let Some(row) = reader.next_row()? else {
-                report.short = true;
-                keep(report, most, || Mismatch {
-                    row: None,
-                    line: None,
-                    test: test_id(bench, at),
-                    text: "the dump ends here: a simulation that stopped early?".to_owned(),
-                });
-                continue;
-            };
-            report.rows += 1;
-            if !agrees(words, &row) {
+            if !dump.agrees(next, words) {
                 report.disagrees = true;
                 let number = report.expected_rows;
                 keep(report, most, || Mismatch {
                     row: Some(number),
-                    line: Some(row.line),
+                    line: Some(dump.line(next)),
                     test: test_id(bench, at),
-                    text: mismatch_text(subject, at, n, words, &row),
+                    text: mismatch_text(subject, at, n, words, (dump, next)),
                 });
             }
+            next += 1;
         }
     }
-    while let Some(row) = reader.next_row()? {
-        report.rows += 1;
+    for row in next..dump.rows() {
         report.disagrees = true;
         keep(report, most, || Mismatch {
             row: None,
-            line: Some(row.line),
+            line: Some(dump.line(row)),
             test: "-".to_owned(),
             text: "a row too much: the set has ended".to_owned(),
         });
     }
-    report.cut = reader.cut();
-    beginning_too_much(report, most);
-    Ok(())
 }
 
-fn keyed(
-    subject: &Subject,
-    dump: &Path,
-    most: usize,
-    report: &mut DumpReport,
-) -> Result<(), DumpError> {
-    let (mut map, rows, cut) = by_test(subject, dump)?;
-    (report.rows, report.cut) = (rows, cut);
-    let mut expected = Expected::new(subject);
+fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
+    let mut map = by_test(subject, dump);
+    let mut expected = Answer::expected(subject);
     let bench = &*subject.bench;
+    let key = subject.key_bytes();
     // Rows in file order: the number of this one, of the last one found, of the first one missing.
     let (mut number, mut last, mut gap) = (0, 0, u64::MAX);
     for (at, limit) in subject.tests() {
-        let rows = expected.rows(bench, at, limit);
+        // A test may have no row.
         let mut theirs = map.remove(&u128::from(at.test)).unwrap_or_default();
-        report.expected_rows += rows.len() as u64;
-        for (n, words) in rows.iter().enumerate() {
+        for (n, words) in expected.rows(at, limit).enumerate() {
+            report.expected_rows += 1;
             number += 1;
-            let same_key = |row: &DumpRow| row.words[..subject.key()] == words[..subject.key()];
+            let same_key = |row: &usize| dump.row(*row)[..key] == words[..key];
             let Some(found) = theirs.iter().position(same_key) else {
                 gap = gap.min(number);
                 keep(report, most, || Mismatch {
@@ -165,13 +142,13 @@ fn keyed(
             };
             last = number;
             let row = theirs.remove(found);
-            if !agrees(words, &row) {
+            if !dump.agrees(row, words) {
                 report.disagrees = true;
                 keep(report, most, || Mismatch {
                     row: Some(number),
-                    line: Some(row.line),
+                    line: Some(dump.line(row)),
                     test: test_id(bench, at),
-                    text: mismatch_text(subject, at, n, words, &row),
+                    text: mismatch_text(subject, at, n, words, (dump, row)),
                 });
             }
         }
@@ -179,32 +156,29 @@ fn keyed(
             report.disagrees = true;
             keep(report, most, || Mismatch {
                 row: None,
-                line: Some(row.line),
+                line: Some(dump.line(row)),
                 test: test_id(bench, at),
-                text: extra_text(subject, at, &row),
+                text: extra_text(subject, at, dump.row(row)),
             });
         }
     }
     report.short = gap < u64::MAX && gap > last;
     report.disagrees |= gap < last;
-    let mut left: Vec<DumpRow> = map.into_values().flatten().collect();
-    left.sort_by_key(|row| row.line);
-    for row in left {
+    let mut left: Vec<(u128, usize)> = map
+        .into_iter()
+        .flat_map(|(test, rows)| rows.into_iter().map(move |row| (test, row)))
+        .collect();
+    left.sort_unstable_by_key(|(_, row)| *row);
+    for (test, row) in left {
         report.disagrees = true;
-        let known = u64::try_from(row.words[0]).ok().and_then(|number| subject.test(number));
+        let known = u64::try_from(test).ok().and_then(|number| subject.test(number));
         let text = match known {
-            Some(at) => extra_text(subject, at, &row),
-            None => format!("test {:x} is no test of the set", row.words[0]),
+            Some(at) => extra_text(subject, at, dump.row(row)),
+            None => format!("test {test:x} is no test of the set"),
         };
-        keep(report, most, || Mismatch {
-            row: None,
-            line: Some(row.line),
-            test: "-".to_owned(),
-            text,
-        });
+        let line = Some(dump.line(row));
+        keep(report, most, || Mismatch { row: None, line, test: "-".to_owned(), text });
     }
-    beginning_too_much(report, most);
-    Ok(())
 }
 
 /// The beginning of a row where none is missing.
@@ -222,15 +196,16 @@ fn beginning_too_much(report: &mut DumpReport, most: usize) {
 }
 
 /// Key columns by name, in decimal.
-fn place(subject: &Subject, words: &[u128]) -> String {
-    let columns = subject.spec.columns.iter().zip(words).take(subject.key());
-    columns.map(|(column, word)| format!("{} {word}", column.name)).collect::<Vec<_>>().join(", ")
+fn place(subject: &Subject, row: &[u8]) -> String {
+    let columns = &subject.spec.columns[..subject.key()];
+    let words = columns.iter().zip(unpack(row, columns));
+    words.map(|(column, word)| format!("{} {word}", column.name)).collect::<Vec<_>>().join(", ")
 }
 
-fn missing_text(subject: &Subject, at: TestAt, words: &[u128]) -> String {
-    format!("missing: {}\n  {}", place(subject, words), subject.bench.describe(at))
+fn missing_text(subject: &Subject, at: TestAt, row: &[u8]) -> String {
+    format!("missing: {}\n  {}", place(subject, row), subject.bench.describe(at))
 }
 
-fn extra_text(subject: &Subject, at: TestAt, row: &DumpRow) -> String {
-    format!("too much: {}\n  {}", place(subject, &row.words), subject.bench.describe(at))
+fn extra_text(subject: &Subject, at: TestAt, row: &[u8]) -> String {
+    format!("too much: {}\n  {}", place(subject, row), subject.bench.describe(at))
 }

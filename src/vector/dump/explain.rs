@@ -1,26 +1,28 @@
 //! Mismatches in words, and their cause.
 
 use super::Subject;
-use super::compare::{ByTest, Expected, agrees, by_test};
-use super::read::{DumpError, DumpRow, RowReader};
+use super::compare::{Answer, ByTest, by_test};
+use super::read::Dump;
 use crate::format::Column;
-use crate::vector::bench::{Bench, TestAt};
+use crate::vector::bench::TestAt;
+use crate::vector::table::unpack;
 use std::fmt::Write as _;
-use std::path::Path;
 
 /// The columns that disagree, in hexadecimal, in fields and as a distance.
 pub(super) fn mismatch_text(
     subject: &Subject,
     at: TestAt,
     n: usize,
-    expected: &[u128],
-    row: &DumpRow,
+    expected: &[u8],
+    (dump, row): (&Dump, usize),
 ) -> String {
+    let expected = unpack(expected, &subject.spec.columns);
+    let [words, unknown, ignored] = dump.words(row);
     let mut text = String::new();
     for (k, column) in subject.spec.columns.iter().enumerate() {
-        let looked_at = !row.ignored[k];
-        let unknown = row.unknown[k] & looked_at;
-        if (expected[k] ^ row.words[k]) & looked_at == 0 && unknown == 0 {
+        let looked_at = !ignored[k];
+        let unknown = unknown[k] & looked_at;
+        if (expected[k] ^ words[k]) & looked_at == 0 && unknown == 0 {
             continue;
         }
         let wanted = crate::bits::hex(expected[k], column.width);
@@ -29,8 +31,8 @@ pub(super) fn mismatch_text(
             let _ = writeln!(text, "{}: expected {wanted}, got unknown bits (X or Z)", column.name);
             continue;
         }
-        let got = crate::bits::hex(row.words[k], column.width);
-        let distance = value(column, row.words[k]).wrapping_sub(value(column, expected[k]));
+        let got = crate::bits::hex(words[k], column.width);
+        let distance = value(column, words[k]).wrapping_sub(value(column, expected[k]));
         let unit = if column.fraction == 0 {
             String::new()
         } else {
@@ -44,7 +46,7 @@ pub(super) fn mismatch_text(
         let fields = subject.bench.fields(&column.name);
         if !fields.is_empty() {
             let _ = writeln!(text, "  expected {}", in_fields(&fields, expected[k]));
-            let _ = writeln!(text, "  got      {}", in_fields(&fields, row.words[k]));
+            let _ = writeln!(text, "  got      {}", in_fields(&fields, words[k]));
         }
     }
     let _ = write!(text, "  {}, row {n} of the test", subject.bench.describe(at));
@@ -67,25 +69,6 @@ fn in_fields(fields: &[(String, u32)], word: u128) -> String {
     parts.join(" | ")
 }
 
-/// Looks for the cause among the single changes that the bench knows.
-pub(super) fn causes(subject: &Subject, dump: &Path, short: bool) -> Result<Causes, DumpError> {
-    let keyed = if subject.key() > 0 { Some(by_test(subject, dump)?.0) } else { None };
-    let variants = subject.bench.variants();
-    let mut causes = Vec::new();
-    for (name, bench) in &variants {
-        let explained = match &keyed {
-            Some(map) => agrees_keyed(subject, &**bench, map, true),
-            None => explains_ordered(subject, &**bench, dump, short)?,
-        };
-        // A change can be tried in more than one guise.
-        if explained && !causes.contains(name) {
-            causes.push(name.clone());
-        }
-    }
-    let lost = causes.is_empty() && is_part(subject, dump, keyed.as_ref())?;
-    Ok(Causes { named: causes, tried: variants.len(), lost })
-}
-
 /// What may be behind a dump.
 pub(super) struct Causes {
     /// Single changes that make the whole dump agree.
@@ -96,62 +79,85 @@ pub(super) struct Causes {
     pub(super) lost: bool,
 }
 
+/// Looks for the cause among the suspects of the bench.
+pub(super) fn causes(subject: &Subject, dump: &Dump, short: bool) -> Causes {
+    let keyed = (subject.key() > 0).then(|| by_test(subject, dump));
+    let suspects = subject.bench.suspects();
+    let tried = suspects.len();
+    let mut named = Vec::new();
+    for suspect in suspects {
+        let answer = Answer::new(subject, suspect.run);
+        let explained = match &keyed {
+            Some(map) => agrees_keyed(subject, answer, (dump, map), true),
+            None => agrees_ordered(subject, answer, dump, (suspect.unsettled, short)),
+        };
+        // A change can be tried in more than one guise.
+        if explained && !named.contains(&suspect.change) {
+            named.push(suspect.change);
+        }
+    }
+    let lost = named.is_empty() && is_part(subject, dump, keyed.as_ref());
+    Causes { named, tried, lost }
+}
+
 /// Whether the dump is the expectation with rows left out.
-fn is_part(subject: &Subject, dump: &Path, keyed: Option<&ByTest>) -> Result<bool, DumpError> {
-    let mut expected = Expected::new(subject);
-    let bench = &*subject.bench;
+fn is_part(subject: &Subject, dump: &Dump, keyed: Option<&ByTest>) -> bool {
+    let mut expected = Answer::expected(subject);
     if let Some(map) = keyed {
-        return Ok(agrees_keyed(subject, bench, map, false));
+        return agrees_keyed(subject, expected, (dump, map), false);
     }
-    let mut reader = RowReader::open(dump, &subject.spec.columns)?;
-    let mut next = reader.next_row()?;
+    let mut next = 0;
     for (at, limit) in subject.tests() {
-        for words in expected.rows(bench, at, limit) {
-            if next.as_ref().is_some_and(|row| agrees(&words, row)) {
-                next = reader.next_row()?;
-            }
+        for words in expected.rows(at, limit) {
+            next += usize::from(next < dump.rows() && dump.agrees(next, words));
         }
     }
-    Ok(next.is_none())
+    next == dump.rows()
 }
 
-fn explains_ordered(
+/// Whether the dump is, row by row, what a device answers; its first `open` rows may be anything, and
+/// one that is `short` is explained as far as it goes.
+fn agrees_ordered(
     subject: &Subject,
-    bench: &dyn Bench,
-    dump: &Path,
-    short: bool,
-) -> Result<bool, DumpError> {
-    let mut reader = RowReader::open(dump, &subject.spec.columns)?;
-    let mut expected = Expected::new(subject);
-    let mut open = bench.unsettled();
+    mut answer: Answer<'_>,
+    dump: &Dump,
+    (open, short): (u64, bool),
+) -> bool {
+    let mut next = 0;
     for (at, limit) in subject.tests() {
-        for words in expected.rows(bench, at, limit) {
-            match reader.next_row()? {
-                Some(_) if open > 0 => open -= 1,
-                Some(row) if agrees(&words, &row) => {}
-                Some(_) => return Ok(false),
-                // A dump cut short is explained as far as it goes.
-                None => return Ok(short),
+        for words in answer.rows(at, limit) {
+            if next == dump.rows() {
+                return short;
             }
+            if (next as u64) >= open && !dump.agrees(next, words) {
+                return false;
+            }
+            next += 1;
         }
     }
-    Ok(reader.next_row()?.is_none())
+    next == dump.rows()
 }
 
-/// Whether each row of the dump is one of the expectation's, none twice; `whole`: and each of those
-/// is there.
-fn agrees_keyed(subject: &Subject, bench: &dyn Bench, map: &ByTest, whole: bool) -> bool {
-    let mut expected = Expected::new(subject);
+/// Whether each row of the dump is one of a device's, none twice; `whole`: and each of those is there.
+fn agrees_keyed(
+    subject: &Subject,
+    mut answer: Answer<'_>,
+    (dump, map): (&Dump, &ByTest),
+    whole: bool,
+) -> bool {
     let mut seen = 0;
-    let none = Vec::new();
     for (at, limit) in subject.tests() {
-        let rows = expected.rows(bench, at, limit);
-        let theirs = map.get(&u128::from(at.test)).unwrap_or(&none);
+        let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);
         seen += usize::from(!theirs.is_empty());
-        let found = |words: &Vec<u128>| theirs.iter().filter(|row| agrees(words, row)).count();
-        let few = |n: usize| if whole { n == 1 } else { n <= 1 };
-        let counts: Vec<usize> = rows.iter().map(found).collect();
-        if counts.iter().sum::<usize>() != theirs.len() || !counts.into_iter().all(few) {
+        let mut found = 0;
+        for words in answer.rows(at, limit) {
+            let here = theirs.iter().filter(|row| dump.agrees(**row, words)).count();
+            if here > 1 || here == 0 && whole {
+                return false;
+            }
+            found += here;
+        }
+        if found != theirs.len() {
             return false;
         }
     }

@@ -1,9 +1,11 @@
 //! Rows of a dump: hexadecimal columns, with the latitude that simulators need.
 
 use crate::format::Column;
+use crate::vector::table::unpack;
+use std::collections::HashMap;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The longest line read.
 const LONGEST: u64 = 1 << 16;
@@ -37,41 +39,83 @@ pub enum DumpError {
     },
 }
 
-/// One row: known bits, and which bits are unknown (X or Z) or masked out.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct DumpRow {
-    /// Line in the dump, from 1.
-    pub line: u64,
-    /// Words, one a column.
-    pub words: Vec<u128>,
-    /// Bits that the device left unknown.
-    pub unknown: Vec<u128>,
-    /// Bits that the dump's mask column declares of no interest.
-    pub ignored: Vec<u128>,
-}
-
-/// Reads rows one by one.
-#[derive(Debug)]
-pub struct RowReader {
-    path: PathBuf,
-    input: BufReader<File>,
+/// The rows of a dump, read once: each packed as in the form `bin`, which takes less memory than its
+/// text.
+#[derive(Clone, Debug)]
+pub struct Dump {
     columns: Vec<Column>,
-    line: u64,
-    buffer: Vec<u8>,
+    /// Bytes of a row.
+    stride: usize,
+    /// Known bits, row after row; zeros where a bit is not known.
+    known: Vec<u8>,
+    /// The rows that not every bit of is known and looked at.
+    odd: HashMap<usize, Odd>,
+    /// Rows whose line does not follow that of the row before, with their lines.
+    lines: Vec<(usize, u64)>,
+    /// The line that ends in the middle of a row, at the end of the dump.
     cut: Option<u64>,
 }
 
-impl RowReader {
-    /// Opens a dump of rows with these columns.
+/// Bits of a row that say nothing, packed as the row is.
+#[derive(Clone, Debug, Default)]
+struct Odd {
+    /// Left unknown by the device: X or Z.
+    unknown: Vec<u8>,
+    /// Of no interest, as the dump's mask column declares.
+    ignored: Vec<u8>,
+}
+
+impl Dump {
+    /// Reads a dump of rows with these columns; blank lines and `//` comments are passed over, CRLF is
+    /// accepted.
     ///
     /// # Errors
-    /// [`DumpError::Io`].
-    pub fn open(path: &Path, columns: &[Column]) -> Result<Self, DumpError> {
-        let file = File::open(path)
-            .map_err(|source| DumpError::Io { path: path.display().to_string(), source })?;
-        let input = BufReader::with_capacity(1 << 18, file);
-        let (path, columns) = (path.to_owned(), columns.to_vec());
-        Ok(Self { path, input, columns, line: 0, buffer: Vec::new(), cut: None })
+    /// [`DumpError`] with the line.
+    pub fn read(path: &Path, columns: &[Column]) -> Result<Self, DumpError> {
+        let io = |source| DumpError::Io { path: path.display().to_string(), source };
+        let mut input = BufReader::with_capacity(1 << 18, File::open(path).map_err(io)?);
+        let stride = columns.iter().map(Column::bytes).sum();
+        let (known, odd, lines) = (Vec::new(), HashMap::new(), Vec::new());
+        let mut dump = Self { columns: columns.to_vec(), stride, known, odd, lines, cut: None };
+        let (mut line, mut buffer) = (0, Vec::new());
+        loop {
+            buffer.clear();
+            let read = (&mut input).take(LONGEST).read_until(b'\n', &mut buffer).map_err(io)?;
+            if read == 0 {
+                return Ok(dump);
+            }
+            line += 1;
+            let fault = |message: String| DumpError::Line {
+                path: path.display().to_string(),
+                line,
+                message,
+            };
+            if read as u64 == LONGEST {
+                return Err(fault(format!("longer than {LONGEST} bytes: no dump of this file")));
+            }
+            let text = std::str::from_utf8(&buffer).map_err(|_| fault("not text".to_owned()))?;
+            let text = text.split_once("//").map_or(text, |(row, _)| row).trim();
+            if text.is_empty() {
+                continue;
+            }
+            let rows = dump.rows();
+            match dump.push(text) {
+                Ok(()) => {
+                    let follows = rows > 0 && dump.line(rows - 1) + 1 == line;
+                    dump.lines.extend((!follows).then_some((rows, line)));
+                }
+                Err(_) if !buffer.ends_with(b"\n") && is_beginning(text, columns) => {
+                    dump.cut = Some(line);
+                    return Ok(dump);
+                }
+                Err(message) => return Err(fault(message)),
+            }
+        }
+    }
+
+    /// Rows.
+    pub fn rows(&self) -> usize {
+        self.known.len() / self.stride
     }
 
     /// The line that ends in the middle of a row, at the end of the dump: its writer was stopped there.
@@ -79,44 +123,95 @@ impl RowReader {
         self.cut
     }
 
-    fn fault(&self, message: String) -> DumpError {
-        DumpError::Line { path: self.path.display().to_string(), line: self.line, message }
+    /// The line of a row, from 1.
+    pub fn line(&self, row: usize) -> u64 {
+        let run = self.lines.partition_point(|(first, _)| *first <= row);
+        // The first row begins the first run.
+        let (first, line) = self.lines[run - 1];
+        line + (row - first) as u64
     }
 
-    /// The next row; blank lines and `//` comments are passed over, CRLF is accepted.
-    ///
-    /// # Errors
-    /// [`DumpError`] with the line.
-    pub fn next_row(&mut self) -> Result<Option<DumpRow>, DumpError> {
-        loop {
-            self.buffer.clear();
-            let read =
-                (&mut self.input).take(LONGEST).read_until(b'\n', &mut self.buffer).map_err(
-                    |source| DumpError::Io { path: self.path.display().to_string(), source },
-                )?;
-            if read == 0 {
-                return Ok(None);
-            }
-            self.line += 1;
-            if read as u64 == LONGEST {
-                return Err(
-                    self.fault(format!("longer than {LONGEST} bytes: no dump of this file"))
-                );
-            }
-            let Ok(text) = std::str::from_utf8(&self.buffer) else {
-                return Err(self.fault("not text".to_owned()));
-            };
-            let text = text.split("//").next().unwrap_or_default().trim();
-            if text.is_empty() {
-                continue;
-            }
-            let row = parse(text, &self.columns, self.line);
-            if row.is_err() && !self.buffer.ends_with(b"\n") && is_beginning(text, &self.columns) {
-                self.cut = Some(self.line);
-                return Ok(None);
-            }
-            return row.map(Some).map_err(|message| self.fault(message));
+    /// Known bits of a row, packed.
+    pub(super) fn row(&self, row: usize) -> &[u8] {
+        &self.known[row * self.stride..][..self.stride]
+    }
+
+    /// Words of a row: known bits, unknown bits, and those of no interest.
+    pub(super) fn words(&self, row: usize) -> [Vec<u128>; 3] {
+        let none = vec![0; self.stride];
+        let odd = self.odd.get(&row);
+        let [unknown, ignored] =
+            [odd.map(|odd| &odd.unknown), odd.map(|odd| &odd.ignored)].map(|b| b.unwrap_or(&none));
+        [self.row(row), unknown, ignored].map(|bytes| unpack(bytes, &self.columns))
+    }
+
+    /// Whether a row agrees with a packed expectation, where the dump's mask looks.
+    pub(super) fn agrees(&self, row: usize, expected: &[u8]) -> bool {
+        let known = self.row(row);
+        // Most dumps have no odd row at all.
+        let odd = if self.odd.is_empty() { None } else { self.odd.get(&row) };
+        let Some(Odd { unknown, ignored }) = odd else { return known == expected };
+        let bytes = known.iter().zip(expected).zip(unknown.iter().zip(ignored));
+        bytes
+            .into_iter()
+            .all(|((known, wanted), (unknown, ignored))| (known ^ wanted | unknown) & !ignored == 0)
+    }
+
+    /// Appends the row of a text.
+    fn push(&mut self, text: &str) -> Result<(), String> {
+        let start = self.known.len();
+        let pushed = self.parse(text);
+        if pushed.is_err() {
+            self.known.truncate(start);
         }
+        pushed
+    }
+
+    fn parse(&mut self, text: &str) -> Result<(), String> {
+        let row = self.rows();
+        let mut odd = Odd::default();
+        let (mut fields, columns) = (text.split('_'), &self.columns);
+        for column in columns {
+            let field = fields.next().ok_or_else(|| {
+                let found = text.split('_').count();
+                format!("{found} columns where {} belong: {text:?}", columns.len())
+            })?;
+            let (word, unknown) = hexadecimal(field, &column.name, column.digits())?;
+            let mask = u128::MAX >> (128 - column.width);
+            if word & !mask != 0 {
+                let (name, width) = (&column.name, column.width);
+                return Err(format!("column {name}: {field} has more than {width} bits"));
+            }
+            self.known.extend_from_slice(&word.to_be_bytes()[16 - column.bytes()..]);
+            odd.unknown.extend_from_slice(&(unknown & mask).to_be_bytes()[16 - column.bytes()..]);
+        }
+        if let Some(mask) = fields.next() {
+            // A don't-care mask: one digit for each digit of the row.
+            let digits: usize = columns.iter().map(Column::digits).sum();
+            if mask.len() != digits || fields.next().is_some() {
+                return Err(format!(
+                    "more than {} columns, and the last is no don't-care mask of {digits} digits: {text:?}",
+                    columns.len()
+                ));
+            }
+            let mut rest = mask;
+            for column in columns {
+                let (mine, later) =
+                    rest.split_at_checked(column.digits()).ok_or("mask is not ASCII")?;
+                let (mask, unknown) = hexadecimal(mine, "mask", column.digits())?;
+                if unknown != 0 {
+                    return Err(format!("the don't-care mask has unknown digits: {mine:?}"));
+                }
+                odd.ignored.extend_from_slice(&mask.to_be_bytes()[16 - column.bytes()..]);
+                rest = later;
+            }
+        } else {
+            odd.ignored = vec![0; self.stride];
+        }
+        if odd.unknown.iter().chain(&odd.ignored).any(|byte| *byte != 0) {
+            self.odd.insert(row, odd);
+        }
+        Ok(())
     }
 }
 
@@ -135,53 +230,6 @@ fn is_beginning(text: &str, columns: &[Column]) -> bool {
         }
     }
     false
-}
-
-fn parse(text: &str, columns: &[Column], line: u64) -> Result<DumpRow, String> {
-    let mut row = DumpRow {
-        line,
-        words: Vec::with_capacity(columns.len()),
-        unknown: Vec::with_capacity(columns.len()),
-        ignored: vec![0; columns.len()],
-    };
-    let mut fields = text.split('_');
-    for column in columns {
-        let field = fields.next().ok_or_else(|| {
-            format!("{} columns where {} belong: {text:?}", text.split('_').count(), columns.len())
-        })?;
-        let (word, unknown) = hexadecimal(field, &column.name, column.digits())?;
-        let mask = u128::MAX >> (128 - column.width);
-        if word & !mask != 0 {
-            return Err(format!(
-                "column {}: {field} has more than {} bits",
-                column.name, column.width
-            ));
-        }
-        row.words.push(word);
-        row.unknown.push(unknown & mask);
-    }
-    if let Some(mask) = fields.next() {
-        // A don't-care mask: one digit for each digit of the row.
-        let digits: usize = columns.iter().map(Column::digits).sum();
-        if mask.len() != digits || fields.next().is_some() {
-            return Err(format!(
-                "more than {} columns, and the last is no don't-care mask of {digits} digits: {text:?}",
-                columns.len()
-            ));
-        }
-        let mut rest = mask;
-        for (column, ignored) in columns.iter().zip(&mut row.ignored) {
-            let (mine, later) =
-                rest.split_at_checked(column.digits()).ok_or("mask is not ASCII")?;
-            let (mask, unknown) = hexadecimal(mine, "mask", column.digits())?;
-            if unknown != 0 {
-                return Err(format!("the don't-care mask has unknown digits: {mine:?}"));
-            }
-            *ignored = mask;
-            rest = later;
-        }
-    }
-    Ok(row)
 }
 
 /// A fixed number of hexadecimal digits; X and Z are unknown.

@@ -4,7 +4,7 @@ use super::Interface;
 use super::half::{Half, halves};
 use super::keyword::identifier;
 use super::record::Record;
-use super::rtl;
+use super::rtl::{Source, Values};
 use super::stream::{self, Stream, streams};
 use super::template::{fill, head};
 
@@ -48,9 +48,8 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
 pub(super) fn systemverilog_device(interface: &Interface, records: &[Record]) -> String {
     let halves = halves(interface, records);
     let mut text = include_str!("dut.sv.in").to_owned();
-    text += &device(interface, &halves, rtl::module);
-    let have: Vec<&str> = halves.iter().map(|half| half.device).collect();
-    text += &stream::modules(interface, &streams(interface, records), &have);
+    text += &devices(interface, &halves, |half| half.module);
+    text += &stream::modules(interface, &streams(interface, records), &halves);
     head(interface, &text)
 }
 
@@ -105,20 +104,19 @@ pub(super) fn vhdl_device(interface: &Interface, records: &[Record]) -> String {
         );
     }
     let halves = halves(interface, records);
-    head(interface, &(start.to_owned() + &device(interface, &halves, rtl::entity)))
+    head(interface, &(start.to_owned() + &devices(interface, &halves, |half| half.entity)))
 }
 
 /// The device of each half, after an empty line.
-fn device(
+fn devices(
     interface: &Interface,
     halves: &[Half],
-    text: fn(&str, &[(&str, i128)]) -> String,
+    source: fn(&Half<'_>) -> &'static Source,
 ) -> String {
-    let mut values = rtl::clamp(&interface.clamp);
     let texts = halves.iter().map(|half| {
-        values.retain(|(name, _)| *name != "M");
-        values.push(("M", half.state.column.width.into()));
-        format!("\n{}", text(half.device, &values))
+        let width = half.state.column.width;
+        let values = Values::of_clamp(&interface.clamp).and("M", width);
+        format!("\n{}", source(half).with(&values))
     });
     texts.collect()
 }

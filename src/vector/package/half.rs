@@ -2,14 +2,18 @@
 
 use super::Interface;
 use super::record::{Field, Record};
+use super::rtl::{self, Source};
 use super::template::fill;
+use crate::format::Role;
 
 /// A pair of files that one device answers: walks in, a row of state and output a clock out.
 pub(super) struct Half<'a> {
     /// `dda` or `edge`.
     pub(super) name: &'static str,
-    /// Its module or entity.
+    /// Its module or entity, in either language.
     pub(super) device: &'static str,
+    pub(super) module: &'static Source,
+    pub(super) entity: &'static Source,
     cfg: &'a Record<'a>,
     /// The file of expectations.
     pub(super) exp: &'a Record<'a>,
@@ -21,29 +25,55 @@ pub(super) struct Half<'a> {
     parts: Vec<u32>,
 }
 
-/// Names of a half and of its fixed columns: inputs, then state and output.
-type Names = (&'static str, &'static str, [&'static str; 3], [&'static str; 2]);
+/// What a half is in any set: its name, its device in both languages, and its fixed columns.
+struct Shape {
+    name: &'static str,
+    device: &'static str,
+    module: &'static Source,
+    entity: &'static Source,
+    inputs: [Role; 3],
+    state: Role,
+    output: Role,
+}
 
-const DDA: Names = ("dda", "dda", ["init", "dx", "dy"], ["acc", "out"]);
-const EDGE: Names = ("edge", "edge_stepper", ["e0", "ea", "eb"], ["e", "in"]);
+const DDA: Shape = Shape {
+    name: "dda",
+    device: "dda",
+    module: &rtl::DDA,
+    entity: &rtl::DDA_VHDL,
+    inputs: [Role::INIT, Role::DX, Role::DY],
+    state: Role::ACC,
+    output: Role::OUT,
+};
+const EDGE: Shape = Shape {
+    name: "edge",
+    device: "edge_stepper",
+    module: &rtl::EDGE_STEPPER,
+    entity: &rtl::EDGE_STEPPER_VHDL,
+    inputs: [Role::WALKED_EDGE_INIT, Role::WALKED_EDGE_DX, Role::WALKED_EDGE_DY],
+    state: Role::WALKED_EDGE,
+    output: Role::INSIDE,
+};
 
 /// The half, if the set has both of its files with all of their fixed columns.
-fn half<'a>(records: &'a [Record<'a>], names: Names, parts: &[u32]) -> Option<Half<'a>> {
-    let (name, device, [in0, in1, in2], [state, output]) = names;
+fn half<'a>(records: &'a [Record<'a>], shape: &Shape, parts: &[u32]) -> Option<Half<'a>> {
+    let &Shape { name, device, module, entity, inputs: [in0, in1, in2], state, output } = shape;
     let find =
         |kind: &str| records.iter().find(|record| record.file.name == format!("{name}.{kind}.tv"));
     let (cfg, exp) = (find("cfg")?, find("exp")?);
-    exp.field("op")?;
-    let state = exp.field(state)?;
+    exp.field(Role::OP.pattern)?;
+    let state = exp.field(state.pattern)?;
     let known = parts.iter().sum::<u32>() == state.column.width;
     Some(Half {
         name,
         device,
+        module,
+        entity,
         cfg,
         exp,
-        inputs: [cfg.field(in0)?, cfg.field(in1)?, cfg.field(in2)?],
+        inputs: [cfg.field(in0.pattern)?, cfg.field(in1.pattern)?, cfg.field(in2.pattern)?],
         state,
-        output: exp.field(output)?,
+        output: exp.field(output.pattern)?,
         parts: if known { parts.to_vec() } else { vec![state.column.width] },
     })
 }
@@ -51,8 +81,8 @@ fn half<'a>(records: &'a [Record<'a>], names: Names, parts: &[u32]) -> Option<Ha
 /// The halves the set has.
 pub(super) fn halves<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Half<'a>> {
     let clamp = &interface.clamp;
-    let dda = half(records, DDA, &[clamp.guard, clamp.integer, clamp.fraction]);
-    let edge = half(records, EDGE, &[]);
+    let dda = half(records, &DDA, &[clamp.guard, clamp.integer, clamp.fraction]);
+    let edge = half(records, &EDGE, &[]);
     dda.into_iter().chain(edge).collect()
 }
 

@@ -69,8 +69,8 @@ impl<'a> Record<'a> {
             })
             .collect();
         // A digit is four bits; a separator or the newline follows each column.
-        let columns = u32::try_from(file.columns.len()).unwrap_or(u32::MAX);
-        Self { id: identifier(stem), file, fields, bits, line: bits / 4 + columns }
+        let line = file.columns.iter().map(|c| c.width.div_ceil(4) + 1).sum();
+        Self { id: identifier(stem), file, fields, bits, line }
     }
 
     /// Upper-case name for constants, `DDA_EXP`.

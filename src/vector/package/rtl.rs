@@ -1,82 +1,287 @@
 //! The devices of `hdl` with a set's parameters as their defaults.
 
-use super::template::mode;
 use super::{ClampParameters, SetupParameters};
 
-/// A module or entity, its text, and the mark before the value of a parameter.
-struct Source {
+/// A module or entity of `hdl`.
+pub(super) struct Source {
+    /// Its file and the file's text.
+    file: &'static str,
     text: &'static str,
+    /// The parameters that a set decides. The others are told by whoever instantiates the device.
+    parameters: &'static [&'static str],
+    /// What stands before the value of a parameter.
     mark: fn(&str) -> String,
 }
 
-const fn systemverilog(text: &'static str) -> Source {
-    Source { text, mark: |name| format!("parameter int {name} = ") }
+/// A parameter that a set decides and that a device's text does not declare, or the other way
+/// round: the text and the list of parameters no longer belong together.
+#[derive(Debug, thiserror::Error, PartialEq, Eq)]
+pub(super) enum ParameterError {
+    #[error("{file}: no line declares the parameter {parameter} in the form `{mark}VALUE`")]
+    Undeclared { file: &'static str, parameter: String, mark: String },
+    #[error("{file}: the set has no value for the parameter {parameter}")]
+    NoValue { file: &'static str, parameter: String },
 }
 
-const fn vhdl(text: &'static str) -> Source {
-    Source { text, mark: |name| format!("        {name:<4} : natural := ") }
+const fn systemverilog(
+    file: &'static str,
+    text: &'static str,
+    parameters: &'static [&'static str],
+) -> Source {
+    Source { file, text, parameters, mark: |name| format!("parameter int {name} = ") }
 }
 
-/// A device in SystemVerilog by the name of its module.
-pub(super) fn module(name: &str, values: &[(&str, i128)]) -> String {
-    let text = match name {
-        "dda" => include_str!("../../../hdl/dda.sv"),
-        "edge_stepper" => include_str!("../../../hdl/edge_stepper.sv"),
-        "edge_evaluator" => include_str!("../../../hdl/edge_evaluator.sv"),
-        "depth_evaluator" => include_str!("../../../hdl/depth_evaluator.sv"),
-        "setup_divider" => include_str!("../../../hdl/setup_divider.sv"),
-        "triangle_setup" => include_str!("../../../hdl/triangle_setup.sv"),
-        "triangle_engine" => include_str!("../../../hdl/triangle_engine.sv"),
-        _ => "",
-    };
-    systemverilog(text).with(values)
+const fn vhdl(
+    file: &'static str,
+    text: &'static str,
+    parameters: &'static [&'static str],
+) -> Source {
+    Source { file, text, parameters, mark: |name| format!("        {name:<4} : natural := ") }
 }
 
-/// A device in VHDL by the name of its entity.
-pub(super) fn entity(name: &str, values: &[(&str, i128)]) -> String {
-    let text = match name {
-        "dda" => include_str!("../../../hdl/dda.vhd"),
-        "edge_stepper" => include_str!("../../../hdl/edge_stepper.vhd"),
-        _ => "",
-    };
-    vhdl(text).with(values)
-}
+const READ_OUT: &[&str] = &["G", "I", "F", "MODE"];
+
+/// The depth DDA.
+pub(super) static DDA: Source =
+    systemverilog("dda.sv", include_str!("../../../hdl/dda.sv"), READ_OUT);
+/// The edge stepper.
+pub(super) static EDGE_STEPPER: Source =
+    systemverilog("edge_stepper.sv", include_str!("../../../hdl/edge_stepper.sv"), &["M"]);
+/// An edge function over a box.
+pub(super) static EDGE_EVALUATOR: Source =
+    systemverilog("edge_evaluator.sv", include_str!("../../../hdl/edge_evaluator.sv"), &["M", "C"]);
+/// A depth plane over a box.
+pub(super) static DEPTH_EVALUATOR: Source = systemverilog(
+    "depth_evaluator.sv",
+    include_str!("../../../hdl/depth_evaluator.sv"),
+    &["G", "I", "F", "MODE", "C"],
+);
+/// The divider of the set-up, which tells it everything.
+pub(super) static SETUP_DIVIDER: Source =
+    systemverilog("setup_divider.sv", include_str!("../../../hdl/setup_divider.sv"), &[]);
+/// The set-up.
+pub(super) static TRIANGLE_SETUP: Source = systemverilog(
+    "triangle_setup.sv",
+    include_str!("../../../hdl/triangle_setup.sv"),
+    &[
+        "VW", "VS", "S", "SAMPLE_X", "SAMPLE_Y", "RULE", "SHIFT", "M", "G", "I", "F", "ROUNDING",
+        "HALF", "SERIAL",
+    ],
+);
+/// The triangle engine.
+pub(super) static TRIANGLE_ENGINE: Source = systemverilog(
+    "triangle_engine.sv",
+    include_str!("../../../hdl/triangle_engine.sv"),
+    &["M", "G", "I", "F", "MODE", "C"],
+);
+/// The depth DDA in VHDL.
+pub(super) static DDA_VHDL: Source =
+    vhdl("dda.vhd", include_str!("../../../hdl/dda.vhd"), READ_OUT);
+/// The edge stepper in VHDL.
+pub(super) static EDGE_STEPPER_VHDL: Source =
+    vhdl("edge_stepper.vhd", include_str!("../../../hdl/edge_stepper.vhd"), &["M"]);
 
 impl Source {
-    fn with(&self, values: &[(&str, i128)]) -> String {
-        values.iter().fold(self.text.to_owned(), |text, (name, value)| {
+    /// The name of its file in `hdl`.
+    pub(super) fn file(&self) -> &'static str {
+        self.file
+    }
+
+    /// The text with a set's values as defaults.
+    ///
+    /// # Panics
+    /// If the device does not declare a parameter of its list: then the text in `hdl` and the list
+    /// here have parted, and no set of this build can be right.
+    pub(super) fn with(&self, values: &Values) -> String {
+        self.filled(values)
+            .unwrap_or_else(|error| unreachable!("the devices are part of this crate: {error}"))
+    }
+
+    fn filled(&self, values: &Values) -> Result<String, ParameterError> {
+        self.parameters.iter().try_fold(self.text.to_owned(), |text, name| {
+            let parameter = (*name).to_owned();
+            let Some((_, value)) = values.0.iter().find(|(known, _)| known == name) else {
+                return Err(ParameterError::NoValue { file: self.file, parameter });
+            };
             let mark = (self.mark)(name);
-            let Some(at) = text.find(&mark).map(|at| at + mark.len()) else { return text };
-            let rest = &text[at..];
-            let end = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-            format!("{}{value}{}", &text[..at], &rest[end..])
+            let Some(at) = text.find(&mark).map(|at| at + mark.len()) else {
+                return Err(ParameterError::Undeclared { file: self.file, parameter, mark });
+            };
+            let (before, rest) = text.split_at(at);
+            let after = rest.trim_start_matches(|c: char| c.is_ascii_digit());
+            Ok(format!("{before}{value}{after}"))
         })
     }
 }
 
-/// Parameters of the depth read-out.
-pub(super) fn clamp(clamp: &ClampParameters) -> Vec<(&'static str, i128)> {
-    vec![
-        ("G", clamp.guard.into()),
-        ("I", clamp.integer.into()),
-        ("F", clamp.fraction.into()),
-        ("MODE", mode(&clamp.mode).1),
-    ]
+/// Parameters and their values.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Values(Vec<(&'static str, i128)>);
+
+impl Values {
+    /// Parameters of the depth read-out.
+    pub(super) fn of_clamp(clamp: &ClampParameters) -> Self {
+        Self(vec![
+            ("G", clamp.guard.into()),
+            ("I", clamp.integer.into()),
+            ("F", clamp.fraction.into()),
+            ("MODE", clamp.mode.code().into()),
+        ])
+    }
+
+    /// With those of the set-up.
+    pub(super) fn and_setup(mut self, setup: &SetupParameters) -> Self {
+        self.0.extend([
+            ("VS", setup.signed.into()),
+            ("S", setup.sub_pixel.into()),
+            ("SAMPLE_X", setup.sample[0]),
+            ("SAMPLE_Y", setup.sample[1]),
+            ("RULE", setup.shadow.into()),
+            ("SHIFT", setup.shift.into()),
+            ("ROUNDING", setup.rounding.names().code.into()),
+            ("HALF", setup.half.into()),
+            // A bit a clock is for hardware: in an event-driven simulator it takes most of a bench's
+            // time.
+            ("SERIAL", 0),
+        ]);
+        self
+    }
+
+    /// With one more.
+    pub(super) fn and(mut self, name: &'static str, value: impl Into<i128>) -> Self {
+        self.0.push((name, value.into()));
+        self
+    }
 }
 
-/// Parameters of the set-up.
-pub(super) fn setup(setup: &SetupParameters) -> Vec<(&'static str, i128)> {
-    vec![
-        ("VS", setup.signed.into()),
-        ("S", setup.sub_pixel.into()),
-        ("SAMPLE_X", setup.sample[0]),
-        ("SAMPLE_Y", setup.sample[1]),
-        ("RULE", setup.shadow.into()),
-        ("SHIFT", setup.shift.into()),
-        ("M", setup.edge.into()),
-        ("ROUNDING", setup.rounding as i128),
-        ("HALF", setup.half.into()),
-        // A bit a clock is for hardware: in an event-driven simulator it takes most of a bench's time.
-        ("SERIAL", 0),
-    ]
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::bits::Rounding;
+    use crate::format::Clamp;
+    use std::collections::BTreeMap;
+
+    const ALL: [&Source; 9] = [
+        &DDA,
+        &EDGE_STEPPER,
+        &EDGE_EVALUATOR,
+        &DEPTH_EVALUATOR,
+        &SETUP_DIVIDER,
+        &TRIANGLE_SETUP,
+        &TRIANGLE_ENGINE,
+        &DDA_VHDL,
+        &EDGE_STEPPER_VHDL,
+    ];
+
+    /// A value of its own for each parameter of a device.
+    fn values(source: &Source) -> Values {
+        Values(source.parameters.iter().zip(101..).map(|(name, value)| (*name, value)).collect())
+    }
+
+    /// Integer constants of a text, `NAME = 1` or `NAME : natural := 1`.
+    fn constants(text: &str) -> BTreeMap<String, u32> {
+        let declared = text.lines().map(str::trim_start).filter(|line| {
+            ["localparam int ", "constant "].iter().any(|start| line.starts_with(start))
+        });
+        let declared = declared.map(|line| line.split("//").next().unwrap().replace(":=", "="));
+        let pairs = declared.flat_map(|line| {
+            let parts: Vec<String> = line.split([',', ';']).map(str::to_owned).collect();
+            parts.into_iter().filter_map(|part| {
+                let (left, right) = part.split_once('=')?;
+                let left = left.split(':').next()?;
+                Some((left.split_whitespace().last()?.to_owned(), right.trim().parse().ok()?))
+            })
+        });
+        pairs.collect()
+    }
+
+    #[test]
+    fn every_parameter_of_a_set_is_set_in_every_device() {
+        for source in ALL {
+            let text = source.filled(&values(source)).unwrap();
+            for (name, value) in values(source).0 {
+                let set = format!("{}{value}", (source.mark)(name));
+                assert_eq!(text.matches(&set).count(), 1, "{}: {set}", source.file);
+            }
+            // Nothing else has moved.
+            assert_eq!(text.lines().count(), source.text.lines().count(), "{}", source.file);
+        }
+    }
+
+    #[test]
+    fn a_parameter_that_is_not_declared_stops_loudly() {
+        for source in ALL {
+            for name in source.parameters {
+                let renamed = source.text.replace(&(source.mark)(name), &(source.mark)("OTHER"));
+                let text: &'static str = Box::leak(renamed.into_boxed_str());
+                let error = Source { text, ..*source }.filled(&values(source)).unwrap_err();
+                let said = error.to_string();
+                assert!(said.contains(source.file) && said.contains(name), "{said}");
+            }
+        }
+        let no_value = TRIANGLE_ENGINE.filled(&values(&DDA)).unwrap_err();
+        let expected =
+            ParameterError::NoValue { file: "triangle_engine.sv", parameter: "M".into() };
+        assert_eq!(no_value, expected);
+    }
+
+    #[test]
+    #[should_panic(expected = "edge_stepper.sv: no line declares the parameter M")]
+    fn a_device_without_its_parameter_makes_no_set() {
+        let source = Source { text: "module edge_stepper;\nendmodule\n", ..EDGE_STEPPER };
+        source.with(&values(&source));
+    }
+
+    // Clause J-1
+    #[test]
+    fn codes_of_roundings_and_clamps_are_those_of_the_devices() {
+        let divider = constants(SETUP_DIVIDER.text);
+        for rounding in Rounding::ALL {
+            let names = rounding.names();
+            let constant = names.guardbit.replace('-', "_").to_uppercase();
+            assert_eq!(divider.get(&constant), Some(&names.code), "{constant}");
+            let used = format!("            {constant}: up = ");
+            assert_eq!(SETUP_DIVIDER.text.matches(&used).count(), 1, "{used}");
+        }
+        let mut codes: Vec<u32> = Rounding::ALL.iter().map(|r| r.names().code).collect();
+        codes.sort_unstable();
+        codes.dedup();
+        assert_eq!(codes.len(), Rounding::ALL.len(), "one code a rounding");
+        for source in [&DDA, &DDA_VHDL] {
+            let constants = constants(source.text);
+            for clamp in [Clamp::Guard, Clamp::Sign, Clamp::Saturate] {
+                let constant = clamp.name().to_uppercase();
+                assert_eq!(constants.get(&constant), Some(&clamp.code()), "{}", source.file);
+            }
+            // Everything else is read out as it is.
+            assert!(![1, 2, 3].contains(&Clamp::Wrap.code()));
+        }
+        assert_eq!(Clamp::Error.code(), Clamp::Guard.code());
+        // The specification has both tables.
+        let clamps = Clamp::ALL.into_iter().filter(|clamp| *clamp != Clamp::Error);
+        let clamps: Vec<_> = clamps.map(|c| format!("{} {}", c.name(), c.code())).collect();
+        let roundings = Rounding::ALL.map(|r| format!("{r} {}", r.names().code));
+        let spec = include_str!("../../../spec/21-hardware.md");
+        for (parameter, codes) in [("MODE", clamps.join(", ")), ("ROUNDING", roundings.join(", "))]
+        {
+            let line = format!("| `{parameter}` | {codes} |\n");
+            assert!(spec.contains(&line), "{line}");
+        }
+        // The packages spell each mode, in VHDL by its place in the type.
+        let places = ["WRAP", "GUARD", "SIGN", "SATURATE"];
+        for clamp in Clamp::ALL.into_iter().filter(|clamp| *clamp != Clamp::Error) {
+            let (name, code) = (clamp.name().to_uppercase(), clamp.code());
+            for (text, line) in [
+                (include_str!("pkg.sv.in"), format!("localparam int CLAMP_{name} = {code};\n")),
+                (include_str!("pkg.vh.in"), format!("`define GUARDBIT_CLAMP_{name} {code}\n")),
+                (include_str!("pkg.h.in"), format!("#define GUARDBIT_CLAMP_{name} {code}\n")),
+            ] {
+                assert!(text.contains(&line), "{line}");
+            }
+            assert_eq!(places[code as usize], name);
+        }
+        let listed = places.map(|name| format!("CLAMP_{name}")).join(", ");
+        let line = format!("type clamp_t is ({listed});");
+        assert!(include_str!("pkg.vhd.in").contains(&line), "{line}");
+    }
 }

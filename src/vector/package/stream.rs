@@ -1,17 +1,24 @@
 //! Benches of devices behind valid/ready streams: one record in, rows of several files out.
 
-use super::Interface;
-use super::half::{pack, text_mask};
+use super::half::{Half, pack, text_mask};
 use super::record::{Field, Record};
-use super::rtl;
+use super::rtl::{self, Source, Values};
 use super::template::fill;
+use super::{Interface, SetupParameters};
+use crate::format::{Clamp, Role};
 
 /// A device, the file that drives it and the files that it answers.
 pub(super) struct Stream<'a> {
     /// The bench's name, and the stem of the file that drives it.
     pub(super) name: &'static str,
     device: &'static str,
+    /// The modules that the device is made of, itself last.
+    parts: &'static [&'static Source],
+    /// What its set-up is told.
+    setup: SetupParameters,
     cfg: &'a Record<'a>,
+    /// The column of `cfg` that has the width of the device's coordinates.
+    coordinate: &'a Field<'a>,
     answers: Vec<Answer<'a>>,
 }
 
@@ -24,85 +31,107 @@ struct Answer<'a> {
     fields: Vec<(&'a Field<'a>, bool)>,
 }
 
-const EDGES: [&str; 9] = ["e0", "a0", "b0", "e1", "a1", "b1", "e2", "a2", "b2"];
-const PLANE: [&str; 4] = ["z", "dzdx", "dzdy", "zero_area"];
 /// What the summary's events look at is wider than any word of the engine: they are not compared.
-const EVENTS: [&str; 4] = ["wrap", "clamp_above", "clamp_below", "inexact"];
+const EVENTS: [Role; 4] = [Role::WRAP, Role::CLAMP_ABOVE, Role::CLAMP_BELOW, Role::INEXACT];
+
+/// Names of columns of three vertices or edges.
+fn three(roles: [Role; 3]) -> Vec<String> {
+    (0..3).flat_map(|k| roles.map(|role| role.name(k))).collect()
+}
+
+/// Names of columns.
+fn names(roles: &[Role]) -> Vec<String> {
+    roles.iter().map(|role| role.name(0)).collect()
+}
 
 /// The streams that the set has all files for, and whose device this crate has.
 pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
-    if interface.setup.is_none() {
-        return Vec::new();
-    }
-    let words = [&EDGES[..], &PLANE].concat();
-    let vertices = ["x0", "y0", "z0", "x1", "y1", "z1", "x2", "y2", "z2"];
-    let setup =
-        stream(records, "setup", "triangle_setup", &vertices, &[("setup.exp", "o_", &words, &[])]);
-    let engine = [&["test"][..], &words, &["x0", "y0", "x1", "y1"]].concat();
+    let Some(parameters) = interface.setup else { return Vec::new() };
+    let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY, Role::ZERO_AREA];
+    let edges = three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]);
+    let words = [edges, names(&plane)].concat();
+    let vertices = three([Role::VERTEX_X, Role::VERTEX_Y, Role::VERTEX_Z]);
+    let test = names(&[Role::TEST]);
+    let sides = [Role::BOX_Y_BEGIN, Role::BOX_Y_END, Role::BOX_X_BEGIN, Role::BOX_X_END];
+    let engine = [test, words.clone(), names(&sides)].concat();
     let summary =
-        ["test", "spans", "samples", "wrap", "clamp_above", "clamp_below", "inexact", "zero_area"];
+        [&[Role::TEST, Role::SPANS, Role::SAMPLES][..], &EVENTS, &[Role::ZERO_AREA]].concat();
+    let setup = stream(
+        (records, parameters),
+        ("setup", SETUP, Role::VERTEX_X),
+        &vertices,
+        &[("setup.exp", "o_", words)],
+    );
     let triangle = stream(
-        records,
-        "triangle",
-        "triangle_engine",
+        (records, parameters),
+        ("triangle", ENGINE, Role::BOX_X_BEGIN),
         &engine,
         &[
-            ("span.exp", "span_", &["test", "y", "x0", "x1"], &[]),
-            ("depth.exp", "depth_", &["test", "x", "y", "z"], &[]),
-            ("triangle.exp", "triangle_", &summary, &EVENTS),
+            ("span.exp", "span_", names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
+            ("depth.exp", "sample_", names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
+            ("triangle.exp", "triangle_", names(&summary)),
         ],
     );
     // A sticky accumulator depends on the way, and a refused triangle has no rows.
-    let walks = !matches!(interface.clamp.mode.as_str(), "saturate" | "error");
+    let walks = !matches!(interface.clamp.mode, Clamp::Saturate | Clamp::Error);
     setup.into_iter().chain(triangle.filter(|_| walks)).collect()
 }
 
-type Wanted<'n> = (&'n str, &'static str, &'n [&'n str], &'n [&'n str]);
+/// A device of `hdl` behind streams, and the modules that it is made of, itself last.
+type Device = (&'static str, &'static [&'static Source]);
 
+const SETUP: Device = ("triangle_setup", &[&rtl::SETUP_DIVIDER, &rtl::TRIANGLE_SETUP]);
+const ENGINE: Device = (
+    "triangle_engine",
+    &[
+        &rtl::DDA,
+        &rtl::EDGE_STEPPER,
+        &rtl::EDGE_EVALUATOR,
+        &rtl::DEPTH_EVALUATOR,
+        &rtl::TRIANGLE_ENGINE,
+    ],
+);
+
+/// A file that a device answers: its stem, what the names of the ports begin with, its columns.
+type Wanted = (&'static str, &'static str, Vec<String>);
+
+/// The stream of that name, if the set has its files with just these columns.
 fn stream<'a>(
-    records: &'a [Record<'a>],
-    name: &'static str,
-    device: &'static str,
-    inputs: &[&str],
-    answers: &[Wanted<'_>],
+    (records, setup): (&'a [Record<'a>], SetupParameters),
+    (name, (device, parts), coordinate): (&'static str, Device, Role),
+    inputs: &[String],
+    answers: &[Wanted],
 ) -> Option<Stream<'a>> {
-    let find = |stem: &str, columns: &[&str]| {
+    let find = |stem: &str, columns: &[String]| {
         let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
-        let same =
-            record.fields.iter().map(|field| &*field.column.name).eq(columns.iter().copied());
+        let same = record.fields.iter().map(|field| &field.column.name).eq(columns);
         (same && record.file.rows > 0).then_some(record)
     };
     let cfg = find(&format!("{name}.cfg"), inputs)?;
-    let answers = answers.iter().map(|(stem, prefix, columns, skipped)| {
+    let answers = answers.iter().map(|(stem, prefix, columns)| {
         let exp = find(stem, columns)?;
-        let compared = |field: &&Field| !skipped.contains(&&*field.column.name);
-        let fields = exp.fields.iter().map(|field| (field, compared(&field))).collect();
+        let skipped = |field: &Field| EVENTS.iter().any(|role| role.pattern == field.column.name);
+        let fields = exp.fields.iter().map(|field| (field, !skipped(field))).collect();
         Some(Answer { prefix, exp, fields })
     });
-    Some(Stream { name, device, cfg, answers: answers.collect::<Option<_>>()? })
+    let answers = answers.collect::<Option<_>>()?;
+    let coordinate = cfg.field(&coordinate.name(0))?;
+    Some(Stream { name, device, parts, setup, cfg, coordinate, answers })
 }
 
-/// The modules of these streams' devices, beside `dda` and `edge_stepper` which a set may have
-/// anyway.
-pub(super) fn modules(interface: &Interface, streams: &[Stream], have: &[&str]) -> String {
-    let Some(setup) = &interface.setup else { return String::new() };
-    let mut values = rtl::clamp(&interface.clamp);
-    values.extend(rtl::setup(setup));
+/// The modules of these streams' devices, without those of `halves`, which the text has already.
+pub(super) fn modules(interface: &Interface, streams: &[Stream], halves: &[Half]) -> String {
+    let values = Values::of_clamp(&interface.clamp);
+    let have = |source: &Source| halves.iter().any(|half| half.module.file() == source.file());
     let mut text = String::new();
     for stream in streams {
-        let parts: &[&str] = match stream.device {
-            "triangle_setup" => &["setup_divider", "triangle_setup"],
-            _ => &["dda", "edge_stepper", "edge_evaluator", "depth_evaluator", "triangle_engine"],
-        };
         // A vertex coordinate, or a pixel's.
-        let x0 = stream.cfg.field("x0").map_or(0, |field| field.column.width);
-        let mut values = values.clone();
-        values.extend([("VW", x0.into()), ("C", x0.into())]);
-        for part in parts.iter().filter(|part| !have.contains(part)) {
-            // What divides is told its widths by what it divides for.
-            let values: &[(&str, i128)] = if *part == "setup_divider" { &[] } else { &values };
+        let coordinate = stream.coordinate.column.width;
+        let values = values.clone().and_setup(&stream.setup).and("M", stream.setup.edge);
+        let values = values.and("VW", coordinate).and("C", coordinate);
+        for part in stream.parts.iter().filter(|part| !have(part)) {
             text += "\n";
-            text += &rtl::module(part, values);
+            text += &part.with(&values);
         }
     }
     text

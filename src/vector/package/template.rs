@@ -1,6 +1,7 @@
 //! Filling in templates.
 
 use super::Interface;
+use crate::format::Clamp;
 
 /// The template with each `@KEY@` replaced by its value. Values are not searched again for keys
 /// that come before them in the list.
@@ -37,20 +38,15 @@ pub(super) fn package(interface: &Interface, template: &str, files: &[String]) -
             ("GUARD", &clamp.guard.to_string()),
             ("INTEGER", &clamp.integer.to_string()),
             ("FRACTION", &clamp.fraction.to_string()),
-            ("MODE", mode(&clamp.mode).0),
+            ("MODE", &mode(clamp.mode)),
             ("FILES", &files.join("\n")),
         ],
     );
     head(interface, &text)
 }
 
-/// The read-out's name as the packages spell it, and its number there and in the devices.
-pub(super) fn mode(name: &str) -> (&'static str, i128) {
-    match name {
-        "wrap" => ("WRAP", 0),
-        "sign" => ("SIGN", 2),
-        "saturate" => ("SATURATE", 3),
-        // A device cannot refuse a triangle: under `error` it decodes as the guard does.
-        _ => ("GUARD", 1),
-    }
+/// The read-out's name as the packages spell it: that of the mode with the device's code.
+fn mode(clamp: Clamp) -> String {
+    let spelled = if clamp == Clamp::Error { Clamp::Guard } else { clamp };
+    spelled.name().to_uppercase()
 }

@@ -32,7 +32,7 @@ fn edge() -> Vec<FileLayout> {
 }
 
 fn interface(files: Vec<FileLayout>) -> Interface {
-    let clamp = ClampParameters { guard: 2, integer: 24, fraction: 13, mode: "guard".to_owned() };
+    let clamp = ClampParameters { guard: 2, integer: 24, fraction: 13, mode: Clamp::Guard };
     Interface { set: "sgi-4k-g2".to_owned(), model_version: 3, clamp, setup: None, files }
 }
 
@@ -229,14 +229,14 @@ fn filling_in_replaces_every_place() {
 #[test]
 fn every_mode_has_its_name_and_error_decodes_as_guard() {
     for (mode, name) in [
-        ("wrap", "WRAP"),
-        ("guard", "GUARD"),
-        ("sign", "SIGN"),
-        ("saturate", "SATURATE"),
-        ("error", "GUARD"),
+        (Clamp::Wrap, "WRAP"),
+        (Clamp::Guard, "GUARD"),
+        (Clamp::Sign, "SIGN"),
+        (Clamp::Saturate, "SATURATE"),
+        (Clamp::Error, "GUARD"),
     ] {
         let mut interface = interface(dda());
-        interface.clamp.mode = mode.to_owned();
+        interface.clamp.mode = mode;
         assert!(text(&interface, "pkg.sv").contains(&format!("CLAMP_MODE = CLAMP_{name};")));
         assert!(
             text(&interface, "pkg.vhd").contains(&format!("CLAMP_MODE : clamp_t := CLAMP_{name};"))

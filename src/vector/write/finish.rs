@@ -57,14 +57,9 @@ fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
             guard: depth.guard,
             integer: depth.integer,
             fraction: depth.interpolation,
-            mode: depth.clamp.name().to_owned(),
+            mode: depth.clamp,
         },
-        None => ClampParameters {
-            guard: 0,
-            integer: 1,
-            fraction: 0,
-            mode: Clamp::Wrap.name().to_owned(),
-        },
+        None => ClampParameters { guard: 0, integer: 1, fraction: 0, mode: Clamp::Wrap },
     };
     let files = files
         .iter()

@@ -1,8 +1,9 @@
 //! Putting a finished set where it belongs: aside, then in place, old sets kept until it is.
 
 use super::INDEX;
-use crate::vector::check;
 use crate::vector::manifest;
+use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
@@ -113,22 +114,56 @@ fn names(folder: &Path) -> Result<Vec<OsString>> {
     Ok(names)
 }
 
-/// What a run of this program left in a folder, which is nothing if there is no set to be read; and
-/// what it did not leave in the folder of one of its sets.
+/// What a manifest of any version lists.
+#[derive(Deserialize)]
+struct Listed {
+    files: Vec<ListedFile>,
+}
+
+#[derive(Deserialize)]
+struct ListedFile {
+    name: String,
+}
+
+/// What an index of any version lists.
+#[derive(Deserialize)]
+struct ListedSets {
+    sets: Vec<ListedSet>,
+}
+
+#[derive(Deserialize)]
+struct ListedSet {
+    folder: String,
+}
+
+/// What a file says, if it is there and says it.
+fn listed<T: DeserializeOwned>(path: &Path) -> Option<T> {
+    serde_json::from_slice(&fs::read(path).ok()?).ok()
+}
+
+/// What a run of this program, of any version, left in a folder, which is nothing if there is no set to
+/// be read; and what it did not leave in the folder of one of its sets.
 fn made_by_us(out: &Path) -> (BTreeSet<OsString>, Option<PathBuf>) {
     let (mut ours, mut inner) = (BTreeSet::new(), None);
-    let Ok((sets, _)) = check::open(out) else { return (ours, inner) };
-    for set in &sets {
-        if set.folder == out {
-            ours.insert(OsString::from(manifest::NAME));
-            ours.extend(set.manifest.files.iter().map(|file| OsString::from(&file.name)));
-        } else {
-            let strange = names(&set.folder).unwrap_or_default().into_iter().find(|name| {
-                name != manifest::NAME && !set.manifest.files.iter().any(|f| *name == *f.name)
-            });
-            ours.insert(OsString::from(INDEX));
-            ours.extend(set.folder.file_name().filter(|_| strange.is_none()).map(OsString::from));
-            inner = inner.or(strange.map(|name| set.folder.join(name)));
+    let own = |folder: &Path| -> Option<BTreeSet<OsString>> {
+        let listed: Listed = listed(&folder.join(manifest::NAME))?;
+        let files = listed.files.into_iter().map(|file| OsString::from(file.name));
+        Some(files.chain([OsString::from(manifest::NAME)]).collect())
+    };
+    let Some(index) = listed::<ListedSets>(&out.join(INDEX)) else {
+        return (own(out).unwrap_or_default(), None);
+    };
+    ours.insert(OsString::from(INDEX));
+    for set in index.sets {
+        let folder = out.join(&set.folder);
+        let strange = match (own(&folder), names(&folder)) {
+            (Some(own), Ok(names)) => names.into_iter().find(|name| !own.contains(name)),
+            // Nobody knows what is in a folder without a manifest, or that cannot be listed.
+            _ => Some(OsString::new()),
+        };
+        match strange {
+            None => _ = ours.insert(OsString::from(set.folder)),
+            Some(name) => inner = inner.or(Some(folder.join(name))),
         }
     }
     (ours, inner)

@@ -2,7 +2,7 @@
 
 use super::ShapeKind;
 use crate::case::{Class, Words};
-use crate::format::Column;
+use crate::format::{Column, Role, Word};
 use crate::model::Model;
 use crate::profile::Profile;
 
@@ -17,39 +17,29 @@ pub(super) fn columns(kind: ShapeKind, model: &Model, has_depth: bool) -> Vec<Co
     let (profile, line) = (model.profile(), &model.line_ports().input);
     let field = &line[0];
     let depth = profile.depth.map_or(0, |depth| depth.integer);
-    let count = match kind {
-        ShapeKind::Point => 1,
-        ShapeKind::Line => 2,
-        ShapeKind::Clip => 3,
-        ShapeKind::Quad => 4,
-    };
     let w = profile.form.w_bits().filter(|_| kind == ShapeKind::Clip).map_or(0, |w| w + 1);
-    let mut columns = Vec::new();
-    for n in 0..count {
-        let over = if w > 0 { ", times W" } else { "" };
-        for axis in ["x", "y"] {
-            let meaning = format!("Vertex {n}, {axis} in sub-pixels{over}.");
-            let (width, signed) =
-                if w > 0 { (field.width + w + 1, true) } else { (field.width, field.signed) };
-            columns.push(Column::new(
-                &format!("{axis}{n}"),
-                width,
-                signed,
-                profile.vertex.sub_pixel,
-                &meaning,
-            ));
-        }
-        if has_depth {
-            let meaning = format!("Vertex {n}, depth code{over}.");
-            let (width, signed) = if w > 0 { (depth + w + 1, true) } else { (depth, false) };
-            columns.push(Column::new(&format!("z{n}"), width, signed, 0, &meaning));
-        }
+    let place = if w > 0 {
+        Word::signed(field.width + w + 1)
+    } else if field.signed {
+        Word::signed(field.width)
+    } else {
+        Word::unsigned(field.width)
+    };
+    let place = place.fraction(profile.vertex.sub_pixel);
+    let z = if w > 0 { Word::signed(depth + w + 1) } else { Word::unsigned(depth) };
+    let vertex = |n: usize| {
+        let mut columns: Vec<Column> =
+            [Role::VERTEX_X, Role::VERTEX_Y].map(|role| role.of(n, place)).to_vec();
+        columns.extend(has_depth.then(|| Role::VERTEX_Z.of(n, z)));
         if w > 0 {
-            let meaning = format!("Vertex {n}, W: zero or negative beside or behind the eye.");
-            columns.push(Column::new(&format!("w{n}"), w + 1, true, 0, &meaning));
+            for column in &mut columns {
+                column.meaning = format!("{}, times W.", column.meaning.trim_end_matches('.'));
+            }
+            columns.push(Role::VERTEX_W.of(n, Word::signed(w + 1)));
         }
-    }
-    columns
+        columns
+    };
+    (0..kind.vertices()).flat_map(vertex).collect()
 }
 
 /// Directed classes around the upper left part of the window; what does not fit the vertex field is left
@@ -231,7 +221,8 @@ pub(super) fn random(
     let pixel = 1i64 << profile.vertex.sub_pixel;
     let window = [profile.window.width, profile.window.height];
     let from = window.map(|side| words.between(-pixel, (i64::from(side) + 1) * pixel));
-    let top = i64::try_from(profile.depth_max()).unwrap_or(i64::MAX);
+    // Depth codes of 64 bits are drawn from the lower half of their range.
+    let top = profile.depth_max().min(i64::MAX.cast_unsigned()).cast_signed();
     let most = profile.form.w_bits().map_or(1, |w| (1i64 << w.min(8)) - 1);
     let mut test = Vec::new();
     for n in 0..vertices {

@@ -1,9 +1,9 @@
 //! A plain triangle engine with a slip: steppers down the box's left side and along its rows.
 
+use super::slip::{ReadSlip, Register, SignSlip, Slip};
 use crate::dda::Op;
 use crate::format::ReadOut;
 use crate::model::Span;
-use crate::vector::bench::slip::{ReadSlip, Register, SignSlip, Slip};
 
 /// A defect of an engine that takes set-up words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -80,6 +80,7 @@ impl EngineSlip {
 }
 
 /// An engine with a slip.
+#[derive(Clone, Copy, Debug)]
 pub(super) struct Engine {
     pub(super) slip: EngineSlip,
     pub(super) edge_width: u32,

@@ -206,7 +206,10 @@ impl ReadSlip {
         let whole = 1u128 << integer;
         let value = |pattern: u128| read.read(pattern.cast_signed());
         let u = pattern >> fraction;
-        let bits = u64::try_from(u & (whole - 1)).unwrap_or(u64::MAX);
+        let bits = || {
+            let low = u & (whole - 1);
+            u64::try_from(low).unwrap_or_else(|_| unreachable!("a read-out has 64 bits at most"))
+        };
         let zone = read.zone(pattern.cast_signed());
         match self {
             Self::Rounds => {
@@ -227,7 +230,7 @@ impl ReadSlip {
             Self::NeverLow if zone == 2 => read.maximum(),
             Self::NeverHigh if zone == 1 => 0,
             Self::MaximumLess if zone == 1 => read.maximum() - 1,
-            Self::WholeLate if u == whole => bits,
+            Self::WholeLate if u == whole => bits(),
             // The first pattern of the upper half and the last of the lower half change sides.
             Self::SplitLate if zone == 2 && u == middle(read) => read.maximum(),
             Self::SplitEarly if zone == 1 && u + 1 == middle(read) => 0,

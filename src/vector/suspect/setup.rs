@@ -1,0 +1,128 @@
+//! Suspects of the set-up.
+
+use super::unit::{SetupSlip, Unit};
+use super::{Suspect, Suspects};
+use crate::model::Model;
+use crate::profile::neighbours;
+use crate::setup::{Division, Triangle};
+use crate::vector::bench::{Coverage, SetupBench, SetupTest, Single, ready};
+use crate::vector::device::{Device, SetUp, grid, setup_words};
+use crate::vector::table::Table;
+use std::sync::Arc;
+
+impl Suspects for SetupBench {
+    fn suspects(&self) -> Vec<Suspect<'_>> {
+        let mut list = Vec::new();
+        for neighbour in neighbours(self.model().profile()) {
+            let model = Arc::new(ready(&neighbour.profile, false));
+            // Columns stay those of the set: a device is compared in the set's own widths, and
+            // narrower words may come with their sign or with zeros above them.
+            let (ours, theirs) = (&self.model().ports().setup, &model.ports().setup);
+            if theirs.len() != ours.len() {
+                continue;
+            }
+            if theirs.iter().zip(ours).any(|(a, b)| a.width < b.width) {
+                let device = ZeroExtended { model: Arc::clone(&model) };
+                list.push(Suspect::new(self, neighbour.change.clone(), device));
+            }
+            list.push(Suspect::new(self, neighbour.change, SetUp::new(model)));
+        }
+        if self.model().ports().mask.is_none() {
+            let device = Unturned { model: Arc::clone(self.model()) };
+            list.push(Suspect::new(self, NO_SWAP, device));
+        }
+        if is_plain(self.model()) {
+            list.extend(SetupSlip::ALL.map(|(slip, change)| {
+                let device = Slipped { slip, model: Arc::clone(self.model()) };
+                Suspect::new(self, change, device)
+            }));
+        }
+        list
+    }
+}
+
+/// A defect of the set-up that a device of whole triangles can have too.
+pub(super) const NO_SWAP: &str =
+    "triangles of negative area are not turned round: v1 and v2 keep their places";
+
+/// A set-up whose words are narrower than the set's, with zeros above them.
+struct ZeroExtended {
+    model: Arc<Model>,
+}
+
+impl Device<SetupTest> for ZeroExtended {
+    fn answer(&mut self, test: &SetupTest, rows: &mut Single<Table>, _: &mut Coverage) {
+        let mut words = setup_words(&self.model, &test.triangle);
+        for (word, column) in words.iter_mut().zip(&self.model.ports().setup) {
+            *word &= (u128::MAX >> (128 - column.width)).cast_signed();
+        }
+        rows.exp.push(&words);
+    }
+}
+
+/// A set-up without the swap of two vertices.
+struct Unturned {
+    model: Arc<Model>,
+}
+
+impl Unturned {
+    /// Set-up words of a triangle of negative area, edges in the order given. The plane is the same.
+    fn words(&self, triangle: &Triangle) -> Vec<i128> {
+        let (grid, mut words) = (grid(&self.model), Vec::new());
+        let form = &self.model.profile().form;
+        if let Some(edges) = form.edge() {
+            let edges = edges.words(triangle, &grid);
+            for k in 0..3 {
+                words.extend(edges.raw(k));
+            }
+        } else if let Some(walk) = form.walk() {
+            for k in 0..3 {
+                let edge = walk.edge(triangle.xy[k], triangle.xy[(k + 1) % 3], &grid);
+                words.extend(edge.map_or([0; 4], |edge| edge.words()));
+            }
+        }
+        let turned = triangle.normalised();
+        if let (Some(depth), Some(z)) = (self.model.depth(), turned.z) {
+            let plane = depth.plane(&turned, z, &grid);
+            words.extend(plane.raw());
+        }
+        words.resize(self.model.ports().setup.len(), 0);
+        words.push(0);
+        words
+    }
+}
+
+impl Device<SetupTest> for Unturned {
+    fn answer(&mut self, test: &SetupTest, rows: &mut Single<Table>, _: &mut Coverage) {
+        let words = if test.triangle.area2() < 0 {
+            self.words(&test.triangle)
+        } else {
+            setup_words(&self.model, &test.triangle)
+        };
+        rows.exp.push(&words);
+    }
+}
+
+/// Whether a plain unit does what the profile says: edge functions, a depth plane, an exact quotient.
+fn is_plain(model: &Model) -> bool {
+    let exact = |depth: &crate::value::Depth| depth.config().division == Division::Quotient;
+    model.profile().plain_edges().is_some() && model.depth().is_some_and(exact)
+}
+
+/// A plain unit with a slip.
+struct Slipped {
+    slip: SetupSlip,
+    model: Arc<Model>,
+}
+
+impl Device<SetupTest> for Slipped {
+    fn answer(&mut self, test: &SetupTest, rows: &mut Single<Table>, _: &mut Coverage) {
+        let profile = self.model.profile();
+        let parts = profile.plain_edges().zip(self.model.depth()).zip(test.triangle.z);
+        let Some(((edge, depth), z)) = parts else {
+            unreachable!("only a plain unit is suspected of a slip")
+        };
+        let unit = Unit { slip: self.slip, edge, depth, grid: grid(&self.model) };
+        rows.exp.push(&unit.words(&test.triangle, z));
+    }
+}
