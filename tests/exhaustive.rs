@@ -7,6 +7,7 @@ mod oracle;
 use guardbit::bits::{Bits, Event, Lane, Rounding, Width, Word};
 use guardbit::cover::{FillRule, SampleGrid};
 use guardbit::dda::Linear;
+use guardbit::exact::divide;
 use guardbit::format::{Clamp, ReadOut};
 use guardbit::machine::EdgeWalkConfig;
 use guardbit::model::{Drawing, Model};
@@ -67,38 +68,6 @@ fn all_words_of_up_to_8_bits_add_like_integers() {
     assert_eq!(Bits::<8>.bits(), 8);
 }
 
-/// The rounding of n / d by searching all integers: no division at all.
-fn search(mode: Rounding, n: i128, d: i128) -> i128 {
-    let (n, d) = (n * d.signum(), d.abs());
-    let floor = (-200..200).rev().find(|q| q * d <= n).unwrap();
-    let ceiling = (-200..200).find(|q| q * d >= n).unwrap();
-    if floor == ceiling {
-        return floor;
-    }
-    // Magnitudes of the two candidates, and of the distances to them times d.
-    let smaller = if floor.abs() < ceiling.abs() { floor } else { ceiling };
-    let larger = floor + ceiling - smaller;
-    let (even, odd) = if floor & 1 == 0 { (floor, ceiling) } else { (ceiling, floor) };
-    let (down, up) = (n - floor * d, ceiling * d - n);
-    let nearest = |tie| match down.cmp(&up) {
-        std::cmp::Ordering::Less => floor,
-        std::cmp::Ordering::Equal => tie,
-        std::cmp::Ordering::Greater => ceiling,
-    };
-    match mode {
-        Rounding::Floor => floor,
-        Rounding::Ceiling => ceiling,
-        Rounding::TowardZero => smaller,
-        Rounding::AwayFromZero => larger,
-        Rounding::NearestEven => nearest(even),
-        Rounding::NearestUp => nearest(ceiling),
-        Rounding::NearestDown => nearest(floor),
-        Rounding::NearestAway => nearest(larger),
-        Rounding::NearestTowardZero => nearest(smaller),
-        Rounding::Odd => odd,
-    }
-}
-
 // Clauses
 #[test]
 fn all_roundings_of_all_small_quotients() {
@@ -108,14 +77,14 @@ fn all_roundings_of_all_small_quotients() {
                 let inexact = (-200..200).all(|q| q * d != n);
                 assert_eq!(
                     mode.divide(n, d),
-                    Some((search(mode, n, d), inexact)),
+                    Some((divide(n, d, mode).unwrap(), inexact)),
                     "{mode} {n}/{d}"
                 );
             }
             for shift in 0..=8 {
                 let d = 1 << shift;
                 let inexact = (-200..200).all(|q| q * d != n);
-                let expected = (search(mode, n, d), inexact);
+                let expected = (divide(n, d, mode).unwrap(), inexact);
                 assert_eq!(mode.shift_right(n, shift), expected, "{mode} {n} >> {shift}");
             }
             assert_eq!(mode.divide(n, 0), None);

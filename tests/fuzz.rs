@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "../fuzz/src/lib.rs"]
+#[allow(unreachable_pub, reason = "public for the fuzz binaries")]
 mod targets;
 
 use guardbit::case::Words;
@@ -37,8 +38,18 @@ fn seeds(target: &str) -> Vec<String> {
 /// The seed with a few bytes changed, taken out, doubled or swapped for a hostile piece.
 fn spoiled(seed: &[u8], mut draw: Words) -> Vec<u8> {
     const PIECES: [&str; 12] = [
-        "", "\0", "\n", "-", "99999999999999999999999999999999999999999", "1e999", "[[[[", "}", "\"",
-        "_", "\u{feff}", "=",
+        "",
+        "\0",
+        "\n",
+        "-",
+        "99999999999999999999999999999999999999999",
+        "1e999",
+        "[[[[",
+        "}",
+        "\"",
+        "_",
+        "\u{feff}",
+        "=",
     ];
     let mut text = seed.to_vec();
     for _ in 0..=draw.below(4) {

@@ -3,6 +3,7 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+use guardbit::bits::Rounding;
 use std::collections::{BTreeMap, BTreeSet};
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -235,4 +236,18 @@ fn console_examples_hold() {
         run += 1;
     }
     assert!(run >= 5, "console examples were found: {run}");
+}
+
+/// Clause R-1: the table has a row for each rounding, in the order of the code's table.
+#[test]
+fn the_table_of_roundings_is_the_codes() {
+    let text = std::fs::read_to_string(root().join("spec/01-words.md")).unwrap();
+    let (_, after) = text.split_once("### R-1").unwrap();
+    let (clause, _) = after.split_once("### R-2").unwrap();
+    let rows: Vec<&str> = clause
+        .lines()
+        .filter_map(|line| line.strip_prefix("| `"))
+        .filter_map(|row| row.split('`').next())
+        .collect();
+    assert_eq!(rows, Rounding::ALL.map(|rounding| rounding.names().guardbit));
 }

@@ -3,57 +3,6 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How the part below the last kept bit is disposed of. Spec clause `R-1`.
-///
-/// | here | ac_fixed | ap_fixed | SystemC | numeric_std |
-/// | --- | --- | --- | --- | --- |
-/// | `Floor` | `AC_TRN` | `AP_TRN` | `SC_TRN` | `shift_right` of signed |
-/// | `Ceiling` | | | | |
-/// | `TowardZero` | `AC_TRN_ZERO` | `AP_TRN_ZERO` | `SC_TRN_ZERO` | `"/"` |
-/// | `AwayFromZero` | | | | |
-/// | `NearestEven` | `AC_RND_CONV` | `AP_RND_CONV` | `SC_RND_CONV` | |
-/// | `NearestUp` | `AC_RND` | `AP_RND` | `SC_RND` | |
-/// | `NearestDown` | `AC_RND_MIN_INF` | `AP_RND_MIN_INF` | `SC_RND_MIN_INF` | |
-/// | `NearestAway` | `AC_RND_INF` | `AP_RND_INF` | `SC_RND_INF` | |
-/// | `NearestTowardZero` | `AC_RND_ZERO` | `AP_RND_ZERO` | `SC_RND_ZERO` | |
-/// | `Odd` | | | | |
-///
-/// [`Rounding::names`] returns the same table as data.
-///
-/// ```
-/// use guardbit::bits::Rounding;
-/// // -5/2 lies between -3 and -2, half way.
-/// assert_eq!(Rounding::Floor.shift_right(-5, 1), (-3, true));
-/// assert_eq!(Rounding::NearestEven.shift_right(-5, 1), (-2, true));
-/// assert_eq!(Rounding::Odd.shift_right(-5, 1), (-3, true));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "kebab-case")]
-pub enum Rounding {
-    /// Toward minus infinity.
-    Floor,
-    /// Toward plus infinity.
-    Ceiling,
-    /// Toward zero: drop the fraction of the magnitude.
-    TowardZero,
-    /// Away from zero whenever anything is dropped.
-    AwayFromZero,
-    /// Nearest; a tie goes to the even neighbour. "Nearest" alone means this.
-    #[serde(alias = "nearest")]
-    NearestEven,
-    /// Nearest; a tie goes toward plus infinity.
-    NearestUp,
-    /// Nearest; a tie goes toward minus infinity.
-    NearestDown,
-    /// Nearest; a tie goes away from zero.
-    NearestAway,
-    /// Nearest; a tie goes toward zero.
-    NearestTowardZero,
-    /// To the odd neighbour whenever anything is dropped, so that a later, narrower rounding to
-    /// nearest is still right.
-    Odd,
-}
-
 /// A rounding's name in other fixed-point libraries; `None` where it has no such mode.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RoundingNames {
@@ -67,6 +16,8 @@ pub struct RoundingNames {
     pub systemc: Option<&'static str>,
     /// The VHDL numeric_std operation that rounds so.
     pub numeric_std: Option<&'static str>,
+    /// The direction in Gappa's `fixed<...>`.
+    pub gappa: &'static str,
     /// Value of the devices' parameter `ROUNDING`; `hdl/setup_divider.sv` has a constant of the
     /// same name and value. Spec clause `J-1`.
     pub code: u32,
@@ -81,90 +32,147 @@ enum Dropped {
     AboveHalf,
 }
 
+/// What decides between the two neighbours of a quotient that is no integer.
+#[derive(Clone, Copy)]
+struct Between {
+    /// Whether the lower neighbour is odd.
+    odd: bool,
+    /// Whether the quotient is negative.
+    negative: bool,
+    dropped: Dropped,
+}
+
+impl Between {
+    const fn beyond_half(self) -> bool {
+        matches!(self.dropped, Dropped::AboveHalf)
+    }
+
+    const fn tie(self) -> bool {
+        matches!(self.dropped, Dropped::Half)
+    }
+}
+
+/// The table of roundings, one row each: name in profiles; code in RTL; whether it errs by one half at
+/// most (the others err by less than one); names elsewhere; when the lower neighbour is raised by one.
+macro_rules! roundings {
+    ($($(#[$meta:meta])* $name:ident $text:literal $code:literal $error:ident
+        hls($($hls:literal)*) vhdl($($vhdl:literal)?) gappa($gappa:literal)
+        raises |$q:ident| $raises:expr;)*) => {
+        /// How the part below the last kept bit is disposed of. Spec clause `R-1`.
+        ///
+        /// [`Rounding::names`] has each rounding's names in other libraries.
+        ///
+        /// ```
+        /// use guardbit::bits::Rounding;
+        /// // -5/2 lies between -3 and -2, half way.
+        /// assert_eq!(Rounding::Floor.shift_right(-5, 1), (-3, true));
+        /// assert_eq!(Rounding::NearestEven.shift_right(-5, 1), (-2, true));
+        /// assert_eq!(Rounding::Odd.shift_right(-5, 1), (-3, true));
+        /// assert_eq!(Rounding::Odd.names().gappa, "od");
+        /// ```
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum Rounding {
+            $($(#[$meta])* $name,)*
+        }
+
+        impl Rounding {
+            /// Every rounding, in the order of the table.
+            pub const ALL: [Self; [$($text),*].len()] = [$(Self::$name),*];
+
+            /// The names of this rounding elsewhere.
+            pub const fn names(self) -> RoundingNames {
+                match self {
+                    $(Self::$name => {
+                        let (hls, vhdl): (&[&str], &[&str]) = (&[$($hls),*], &[$($vhdl)?]);
+                        names($text, $code, hls, vhdl, $gappa)
+                    })*
+                }
+            }
+
+            /// Whether the rounding errs by one half at most; the others err by less than one.
+            pub const fn is_nearest(self) -> bool {
+                match self {
+                    $(Self::$name => matches!(Error::$error, Error::Half),)*
+                }
+            }
+
+            /// Whether the lower neighbour of a quotient has to be raised by one.
+            const fn raises(self, between: Between) -> bool {
+                if matches!(between.dropped, Dropped::Nothing) {
+                    return false;
+                }
+                match self {
+                    $(Self::$name => { let $q = between; $raises })*
+                }
+            }
+        }
+    };
+}
+
+/// The largest error of a rounding, in units of the last kept bit.
+enum Error {
+    Half,
+    One,
+}
+
+const fn names(
+    guardbit: &'static str,
+    code: u32,
+    hls: &[&'static str],
+    vhdl: &[&'static str],
+    gappa: &'static str,
+) -> RoundingNames {
+    let (ac_fixed, ap_fixed, systemc) = match hls {
+        [ac, ap, sc] => (Some(*ac), Some(*ap), Some(*sc)),
+        _ => (None, None, None),
+    };
+    let numeric_std = match vhdl {
+        [operation] => Some(*operation),
+        _ => None,
+    };
+    RoundingNames { guardbit, ac_fixed, ap_fixed, systemc, numeric_std, gappa, code }
+}
+
+roundings! {
+    /// Toward minus infinity.
+    Floor "floor" 0 One
+        hls("AC_TRN" "AP_TRN" "SC_TRN") vhdl("shift_right") gappa("dn") raises |_q| false;
+    /// Toward plus infinity.
+    Ceiling "ceiling" 1 One hls() vhdl() gappa("up") raises |_q| true;
+    /// Toward zero: drop the fraction of the magnitude.
+    TowardZero "toward-zero" 2 One
+        hls("AC_TRN_ZERO" "AP_TRN_ZERO" "SC_TRN_ZERO") vhdl("\"/\"") gappa("zr")
+        raises |q| q.negative;
+    /// Away from zero whenever anything is dropped.
+    AwayFromZero "away-from-zero" 3 One hls() vhdl() gappa("aw") raises |q| !q.negative;
+    /// Nearest; a tie goes to the even neighbour. "Nearest" alone means this.
+    #[serde(alias = "nearest")]
+    NearestEven "nearest-even" 4 Half
+        hls("AC_RND_CONV" "AP_RND_CONV" "SC_RND_CONV") vhdl() gappa("ne")
+        raises |q| q.beyond_half() || (q.tie() && q.odd);
+    /// Nearest; a tie goes toward plus infinity.
+    NearestUp "nearest-up" 5 Half
+        hls("AC_RND" "AP_RND" "SC_RND") vhdl() gappa("nu")
+        raises |q| q.beyond_half() || q.tie();
+    /// Nearest; a tie goes toward minus infinity.
+    NearestDown "nearest-down" 6 Half
+        hls("AC_RND_MIN_INF" "AP_RND_MIN_INF" "SC_RND_MIN_INF") vhdl() gappa("nd")
+        raises |q| q.beyond_half();
+    /// Nearest; a tie goes away from zero.
+    NearestAway "nearest-away" 7 Half
+        hls("AC_RND_INF" "AP_RND_INF" "SC_RND_INF") vhdl() gappa("na")
+        raises |q| q.beyond_half() || (q.tie() && !q.negative);
+    /// Nearest; a tie goes toward zero.
+    NearestTowardZero "nearest-toward-zero" 8 Half
+        hls("AC_RND_ZERO" "AP_RND_ZERO" "SC_RND_ZERO") vhdl() gappa("nz")
+        raises |q| q.beyond_half() || (q.tie() && q.negative);
+    /// To the odd neighbour whenever anything is dropped, so that a later, narrower rounding to
+    /// nearest is still right.
+    Odd "odd" 9 One hls() vhdl() gappa("od") raises |q| !q.odd;
+}
+
 impl Rounding {
-    /// Every rounding, in the order of the table.
-    pub const ALL: [Self; 10] = [
-        Self::Floor,
-        Self::Ceiling,
-        Self::TowardZero,
-        Self::AwayFromZero,
-        Self::NearestEven,
-        Self::NearestUp,
-        Self::NearestDown,
-        Self::NearestAway,
-        Self::NearestTowardZero,
-        Self::Odd,
-    ];
-
-    /// The names of this rounding elsewhere.
-    pub const fn names(self) -> RoundingNames {
-        let (code, guardbit, hls, numeric_std) = match self {
-            Self::Floor => (0, "floor", Some(["AC_TRN", "AP_TRN", "SC_TRN"]), Some("shift_right")),
-            Self::Ceiling => (1, "ceiling", None, None),
-            Self::TowardZero => (
-                2,
-                "toward-zero",
-                Some(["AC_TRN_ZERO", "AP_TRN_ZERO", "SC_TRN_ZERO"]),
-                Some("\"/\""),
-            ),
-            Self::AwayFromZero => (3, "away-from-zero", None, None),
-            Self::NearestEven => {
-                (4, "nearest-even", Some(["AC_RND_CONV", "AP_RND_CONV", "SC_RND_CONV"]), None)
-            }
-            Self::NearestUp => (5, "nearest-up", Some(["AC_RND", "AP_RND", "SC_RND"]), None),
-            Self::NearestDown => {
-                let hls = ["AC_RND_MIN_INF", "AP_RND_MIN_INF", "SC_RND_MIN_INF"];
-                (6, "nearest-down", Some(hls), None)
-            }
-            Self::NearestAway => {
-                (7, "nearest-away", Some(["AC_RND_INF", "AP_RND_INF", "SC_RND_INF"]), None)
-            }
-            Self::NearestTowardZero => {
-                let hls = ["AC_RND_ZERO", "AP_RND_ZERO", "SC_RND_ZERO"];
-                (8, "nearest-toward-zero", Some(hls), None)
-            }
-            Self::Odd => (9, "odd", None, None),
-        };
-        let (ac_fixed, ap_fixed, systemc) = match hls {
-            Some([ac, ap, sc]) => (Some(ac), Some(ap), Some(sc)),
-            None => (None, None, None),
-        };
-        RoundingNames { guardbit, ac_fixed, ap_fixed, systemc, numeric_std, code }
-    }
-
-    /// Whether the rounding errs by one half at most; the others err by less than one.
-    pub const fn is_nearest(self) -> bool {
-        matches!(
-            self,
-            Self::NearestEven
-                | Self::NearestUp
-                | Self::NearestDown
-                | Self::NearestAway
-                | Self::NearestTowardZero
-        )
-    }
-
-    /// Whether the quotient `floor` has to be raised by one.
-    const fn raises(self, floor_is_odd: bool, negative: bool, dropped: Dropped) -> bool {
-        let beyond_half = matches!(dropped, Dropped::AboveHalf);
-        let tie = matches!(dropped, Dropped::Half);
-        if matches!(dropped, Dropped::Nothing) {
-            return false;
-        }
-        match self {
-            Self::Floor => false,
-            Self::Ceiling => true,
-            Self::TowardZero => negative,
-            Self::AwayFromZero => !negative,
-            Self::NearestEven => beyond_half || (tie && floor_is_odd),
-            Self::NearestUp => beyond_half || tie,
-            Self::NearestDown => beyond_half,
-            Self::NearestAway => beyond_half || (tie && !negative),
-            Self::NearestTowardZero => beyond_half || (tie && negative),
-            Self::Odd => !floor_is_odd,
-        }
-    }
-
     /// `value / 2^shift`, rounded once, and whether anything was dropped. Spec clause `R-2`.
     ///
     /// Formats: any Q-format in, `shift` fewer fraction bits out. Range: the result of a shift by
@@ -183,7 +191,8 @@ impl Rounding {
                 _ => Dropped::AboveHalf,
             };
             let floor = value >> 127;
-            let raised = self.raises(floor & 1 != 0, value < 0, dropped);
+            let between = Between { odd: floor & 1 != 0, negative: value < 0, dropped };
+            let raised = self.raises(between);
             return (floor + raised as i128, value != 0);
         }
         let floor = value >> shift;
@@ -198,7 +207,8 @@ impl Rounding {
         } else {
             Dropped::AboveHalf
         };
-        (floor + self.raises(floor & 1 != 0, value < 0, dropped) as i128, rest != 0)
+        let between = Between { odd: floor & 1 != 0, negative: value < 0, dropped };
+        (floor + self.raises(between) as i128, rest != 0)
     }
 
     /// `numerator / denominator`, rounded once, and whether anything was dropped.
@@ -228,7 +238,8 @@ impl Rounding {
             std::cmp::Ordering::Equal => Dropped::Half,
             std::cmp::Ordering::Greater => Dropped::AboveHalf,
         };
-        Some((floor + i128::from(self.raises(floor & 1 != 0, negative, dropped)), true))
+        let between = Between { odd: floor & 1 != 0, negative, dropped };
+        Some((floor + i128::from(self.raises(between)), true))
     }
 }
 

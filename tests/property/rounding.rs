@@ -3,47 +3,14 @@
 use crate::cases;
 use crate::words::wide;
 use guardbit::bits::{Rounding, RunTime, Word};
-use num_bigint::{BigInt, Sign};
+use guardbit::exact;
+use num_bigint::BigInt;
 use num_integer::Integer;
 use proptest::prelude::*;
 
-/// The rounding of n / d by its definition: of the two neighbours, the one that the mode prefers.
+/// The rounding of n / d by the oracle of clause R-1.
 pub(crate) fn round(mode: Rounding, n: &BigInt, d: &BigInt) -> BigInt {
-    // Distances to the neighbours, in units of 1 / |d|.
-    let (n, d) = if d.sign() == Sign::Minus { (-n, -d) } else { (n.clone(), d.clone()) };
-    let floor = n.div_floor(&d);
-    let down = &n - &floor * &d;
-    if down == BigInt::ZERO {
-        return floor;
-    }
-    let up = &d - &down;
-    let ceiling: BigInt = &floor + 1;
-    let (to_zero, from_zero) = match n.sign() {
-        Sign::Minus => (ceiling.clone(), floor.clone()),
-        _ => (floor.clone(), ceiling.clone()),
-    };
-    let (even, odd) = if floor.is_even() {
-        (floor.clone(), ceiling.clone())
-    } else {
-        (ceiling.clone(), floor.clone())
-    };
-    let nearest = |tie: BigInt| match down.cmp(&up) {
-        std::cmp::Ordering::Less => floor.clone(),
-        std::cmp::Ordering::Greater => ceiling.clone(),
-        std::cmp::Ordering::Equal => tie,
-    };
-    match mode {
-        Rounding::Floor => floor,
-        Rounding::Ceiling => ceiling,
-        Rounding::TowardZero => to_zero,
-        Rounding::AwayFromZero => from_zero,
-        Rounding::NearestEven => nearest(even),
-        Rounding::NearestUp => nearest(ceiling.clone()),
-        Rounding::NearestDown => nearest(floor.clone()),
-        Rounding::NearestAway => nearest(from_zero),
-        Rounding::NearestTowardZero => nearest(to_zero),
-        Rounding::Odd => odd,
-    }
+    exact::round(&exact::Rational::new(n.clone(), d.clone()), mode)
 }
 
 pub(crate) fn roundings() -> impl Strategy<Value = Rounding> {

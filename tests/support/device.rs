@@ -23,21 +23,7 @@ pub(crate) fn extend(word: i128, width: u32) -> i128 {
 
 /// `n / d` for positive d, rounded.
 pub(crate) fn divide(n: i128, d: i128, rounding: Rounding) -> i128 {
-    let below = n.div_euclid(d);
-    let rest = n.rem_euclid(d);
-    let up = match rounding {
-        Rounding::Floor => false,
-        Rounding::Ceiling => rest > 0,
-        Rounding::TowardZero => rest > 0 && n < 0,
-        Rounding::AwayFromZero => rest > 0 && n > 0,
-        Rounding::NearestEven => 2 * rest > d || (2 * rest == d && below % 2 != 0),
-        Rounding::NearestUp => 2 * rest >= d,
-        Rounding::NearestDown => 2 * rest > d,
-        Rounding::NearestAway => 2 * rest > d || (2 * rest == d && n > 0),
-        Rounding::NearestTowardZero => 2 * rest > d || (2 * rest == d && n < 0),
-        Rounding::Odd => rest > 0 && below % 2 == 0,
-    };
-    below + i128::from(up)
+    guardbit::exact::divide(n, d, rounding).unwrap()
 }
 
 /// Guard bits over integer bits over fraction bits, and the clamp.

@@ -14,17 +14,6 @@ use crate::value::DepthConfig;
 use num_traits::Zero;
 use std::fmt::Write as _;
 
-/// Whether a rounding errs by at most half a unit; all others err by less than one.
-pub(super) fn is_nearest(rounding: Rounding) -> bool {
-    use Rounding as R;
-    match rounding {
-        R::NearestEven | R::NearestUp | R::NearestDown | R::NearestAway | R::NearestTowardZero => {
-            true
-        }
-        R::Floor | R::Ceiling | R::TowardZero | R::AwayFromZero | R::Odd => false,
-    }
-}
-
 /// What the error must stay below, in ULP.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Goal {
@@ -62,7 +51,7 @@ impl Growth {
             // the whole depth range away from the anchor.
             Division::Reciprocal { bits } => dyadic((1 << depth.integer) - 1, bits),
         };
-        Self { roundings: w + h - 1, nearest: is_nearest(depth.rounding), division }
+        Self { roundings: w + h - 1, nearest: depth.rounding.is_nearest(), division }
     }
 
     /// The bound with `fraction` fraction bits, in ULP.
@@ -102,7 +91,7 @@ impl Growth {
 pub(super) fn proofs(question: &Question) -> Vec<Proof> {
     let Some(depth) = question.profile.depth else { return Vec::new() };
     let mut proofs = vec![proof(question, &depth, Goal::Half)];
-    if !is_nearest(depth.rounding) {
+    if !depth.rounding.is_nearest() {
         proofs.push(proof(question, &depth, Goal::One));
     }
     proofs
@@ -246,18 +235,7 @@ fn obligation(
 }
 
 fn script(question: &Question, rounding: Rounding, growth: &Growth, bits: u32) -> Script {
-    let mode = match rounding {
-        Rounding::Floor => "dn",
-        Rounding::Ceiling => "up",
-        Rounding::TowardZero => "zr",
-        Rounding::AwayFromZero => "aw",
-        Rounding::NearestEven => "ne",
-        Rounding::NearestUp => "nu",
-        Rounding::NearestDown => "nd",
-        Rounding::NearestAway => "na",
-        Rounding::NearestTowardZero => "nz",
-        Rounding::Odd => "od",
-    };
+    let mode = rounding.names().gappa;
     let [w, h] = question.size();
     let power = bits + u32::from(growth.nearest);
     Script {

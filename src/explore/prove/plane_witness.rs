@@ -6,7 +6,7 @@
 
 use super::Witness;
 use super::domain::Question;
-use super::plane::{Goal, is_nearest};
+use super::plane::Goal;
 use super::text::{decimal, mixed};
 use super::trial::{depth_error, scaled, shoot};
 use crate::case::Words;
@@ -88,7 +88,7 @@ impl Search<'_> {
 
     fn leaning(&self) -> Option<Found> {
         let s = self.question.sub_pixel();
-        let nearest = is_nearest(self.depth.rounding);
+        let nearest = self.depth.rounding.is_nearest();
         // The longest odd lengths along which the depth range allows any residue.
         let legs = self.spans().map(|span| {
             let longest = (span.min(self.most()) - 1) | 1;

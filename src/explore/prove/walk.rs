@@ -2,7 +2,6 @@
 
 use super::domain::Question;
 use super::formal::{Formal, Obligation, Variable, real};
-use super::plane::is_nearest;
 use super::text::{bits as count, decimal, mixed};
 use super::trial::{scaled, shoot};
 use super::{Proof, Witness, walk_coverage};
@@ -60,7 +59,7 @@ pub(super) fn proofs(question: &Question) -> Vec<Proof> {
 }
 
 fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option<Proof> {
-    let (s, nearest) = (question.sub_pixel(), is_nearest(walk.rounding));
+    let (s, nearest) = (question.sub_pixel(), walk.rounding.is_nearest());
     let bits = (0..=120).find(|fraction| length.holds(*fraction, s, nearest))?;
     let found = bits.checked_sub(1).and_then(|fewer| strays(question, walk, fewer));
     let fewer = if found.is_some() { format!("; {} do not", bits - 1) } else { String::new() };
@@ -133,7 +132,7 @@ type Found = (Witness, Vec<(&'static str, Rational)>);
 
 /// An edge whose x is off by half a sub-pixel with `fraction` bits, and not with one more.
 fn strays(question: &Question, walk: EdgeWalkConfig, fraction: u32) -> Option<Found> {
-    edges(question, fraction, is_nearest(walk.rounding)).find_map(|triangle| {
+    edges(question, fraction, walk.rounding.is_nearest()).find_map(|triangle| {
         let (s, limit) = (question.sub_pixel(), dyadic(1, question.sub_pixel() + 1));
         let error = |fraction: u32| {
             let profile = with_fraction(question, walk, fraction);
