@@ -693,7 +693,7 @@ fn set_up_words_are_exact_values_rounded_once() {
                     Form::Homogeneous(_) => {
                         let e = |p: [i128; 2]| number(edge_value(a, b, p).to_integer());
                         let c = e([0, 0]);
-                        wanted.extend([e([1, 0]) - c, e([0, 1]) - c, c]);
+                        wanted.extend([c, e([1, 0]) - c, e([0, 1]) - c]);
                     }
                     Form::Barycentric(_) => {
                         let owns = b[1] < a[1] || (b[1] == a[1] && b[0] > a[0]);

@@ -117,6 +117,11 @@ impl Word {
     pub const fn fraction(self, fraction: u32) -> Self {
         Self { fraction, ..self }
     }
+
+    fn column(self, name: String, meaning: String) -> Column {
+        let Self { width, signed, fraction } = self;
+        Column { name, width, signed, fraction, meaning }
+    }
 }
 
 impl Role {
@@ -134,17 +139,12 @@ impl Role {
 
     /// The column of this role.
     pub fn column(self, word: Word) -> Column {
-        self.named(self.pattern.to_owned(), self.meaning.to_owned(), word)
+        word.column(self.pattern.to_owned(), self.meaning.to_owned())
     }
 
     /// The column of vertex, edge, side or share `k`.
     pub fn of(self, k: usize, word: Word) -> Column {
-        self.named(self.name(k), self.meaning.replace("{k}", &k.to_string()), word)
-    }
-
-    fn named(self, name: String, meaning: String, word: Word) -> Column {
-        let Word { width, signed, fraction } = word;
-        Column { name, width, signed, fraction, meaning }
+        word.column(self.name(k), self.meaning.replace("{k}", &k.to_string()))
     }
 
     /// The role of a column by its name, and the number in it. Columns of sample `n` of a pixel have

@@ -52,13 +52,11 @@ impl Ports {
         }
         let depth = depth.map(|depth| {
             let column = Role::DEPTH.column(Word::unsigned(depth.code_bits()));
-            match depth.config().format {
-                None => column,
-                Some(_) => {
-                    let meaning = "Depth as stored, in the profile's depth format.".to_owned();
-                    Column { meaning, ..column }
-                }
+            if depth.config().format.is_none() {
+                return column;
             }
+            let meaning = "Depth as stored, in the profile's depth format.".to_owned();
+            Column { meaning, ..column }
         });
         Self { input, setup, depth, mask: None, by_sample: false, registers: None }
     }

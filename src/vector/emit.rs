@@ -2,7 +2,7 @@
 
 use super::bench::{Bench, Coverage, FileSpec, Run, TestAt};
 use super::plan::{Shard, walk_tests};
-use super::table::{RowFormat, unpack};
+use super::table::{RowFormat, Table, unpack};
 use crate::format::Column;
 
 /// Encoded bytes kept before they are handed on.
@@ -75,24 +75,29 @@ pub fn run(
     let mut before = 0;
     for (at, limit) in walk_tests(bench, shard, count) {
         device.run(at, limit);
-        let rows = device.tables()[counted].rows;
+        let mut tables = device.tables();
+        let rows = tables[counted].rows;
         let group = &mut emitted.groups[at.group];
         group.0 += 1;
         group.1 += rows - before;
         before = rows;
-        if !flush(device, BUFFER, output)? {
+        if !flush(&mut tables, BUFFER, output)? {
             break;
         }
     }
-    flush(device, 1, output)?;
+    flush(&mut device.tables(), 1, output)?;
     emitted.rows = device.tables().iter().map(|table| table.rows).collect();
     emitted.coverage = device.met().clone();
     Ok(emitted)
 }
 
 /// Hands on every buffer of at least `least` bytes.
-fn flush(device: &mut dyn Run, least: usize, output: &mut dyn Output) -> std::io::Result<bool> {
-    for (file, table) in device.tables().into_iter().enumerate() {
+fn flush(
+    tables: &mut [&mut Table],
+    least: usize,
+    output: &mut dyn Output,
+) -> std::io::Result<bool> {
+    for (file, table) in tables.iter_mut().enumerate() {
         if table.buffer.len() >= least {
             let go_on = output.bytes(file, &table.buffer)?;
             table.buffer.clear();

@@ -58,7 +58,7 @@ int main(void) {
     uint32_t word[4] = {1, 0, 0, 0}, acc[4], out[4], run[3];
     uint64_t acc64, out64, depth[4];
     int64_t vertices[9] = {0, 0, 1, 8192, 0, 2, 0, 8192, 3}, outside[9] = {-1, 0, 0, 0, 0, 0, 0, 0, 0};
-    char name[8], tiny[4];
+    char name[16], tiny[4];
     int32_t model = guardbit_open("sgi-4k"), walk, edge;
 
     EXPECT(guardbit_interface(), 0, "");
