@@ -62,7 +62,7 @@ fn clauses_of_machines_and_decisions_exist() {
         }
     }
     let machines = kinds().map(|kind| (kind.name, kind.clause));
-    let fields = Field::all().into_iter().map(|field| (field.name(), field.clause()));
+    let fields = Field::all().iter().map(|field| (field.name(), field.clause()));
     let all: Vec<(&str, &str)> = machines.chain(fields).collect();
     assert!(all.len() >= 9 + 19, "{all:?}");
     for (name, clause) in all {
@@ -73,7 +73,7 @@ fn clauses_of_machines_and_decisions_exist() {
 /// Clause Q-1: the order that reports list fields in.
 #[test]
 fn fields_are_listed_by_level_and_owner() {
-    let names: Vec<&str> = Field::all().into_iter().map(Field::name).collect();
+    let names: Vec<&str> = Field::all().iter().map(|field| field.name()).collect();
     let expected = "sub-pixel vertex-integer snap integer form traversal stamp edge-width walk-fraction \
                     walk-integer walk-guard walk-rounding interpolation guard rounding clamp reciprocal \
                     start-bias depth-format";
