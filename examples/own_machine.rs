@@ -123,7 +123,7 @@ impl Rasterizer for Conservative {
 
     fn datapath(&self, state: &RasterState) -> Option<Datapath> {
         let setup_bits = 2 * state.vertex.difference_bits() + 2;
-        let mut units = vec![Unit::planar("edge", 3, setup_bits)];
+        let mut units = vec![Unit::planar("edge", setup_bits).times(3)];
         units.extend(state.depth.as_ref().map(Unit::depth));
         let edge = Count::edge_setup(self.rule()) + Count::new(3, 1, 0, 2);
         let coverage = Operations {

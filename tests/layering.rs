@@ -320,7 +320,7 @@ fn told_apart(code: &str, raw: &str, names: &[String]) -> Vec<String> {
 fn machines_are_told_apart_in_their_room_alone() {
     let machines = listed("src/machine.rs", "list::machines");
     let engines = listed("src/machine/register/engine.rs", "engines");
-    assert_eq!((machines.len(), engines.len()), (9, 4), "the lists were read");
+    assert!(machines.len() >= 9 && engines.len() >= 4, "the lists were read");
     let names: Vec<String> = guardbit::machine::kinds().map(|kind| kind.name.to_owned()).collect();
     // The reader sees what would come back.
     let old = "match profile.form { Form::Scanline(_) => 1, _ => 2 }; use Form::{Tiles};";

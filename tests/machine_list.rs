@@ -29,7 +29,7 @@ fn text(path: &str) -> String {
 fn the_tables_of_machines_are_the_list() {
     let list: Vec<(&str, &str)> =
         triangle_machines().map(|kind| (kind.name, kind.known_as)).collect();
-    assert_eq!(list.len(), 8);
+    assert!(list.len() >= 8, "{list:?}");
     let spec = text("spec/19-machines.md");
     let table = spec.split("| `form` |").nth(1).unwrap();
     let rows: Vec<(&str, &str)> = table
@@ -62,9 +62,9 @@ fn clauses_of_machines_and_decisions_exist() {
         }
     }
     let machines = kinds().map(|kind| (kind.name, kind.clause));
-    let fields = Field::all().into_iter().map(|field| (field.name(), field.clause()));
+    let fields = Field::all().iter().map(|field| (field.name(), field.clause()));
     let all: Vec<(&str, &str)> = machines.chain(fields).collect();
-    assert_eq!(all.len(), 9 + 19);
+    assert!(all.len() >= 9 + 19, "{all:?}");
     for (name, clause) in all {
         assert!(spec.contains(&format!("\n### {clause} ")), "{name}: no clause {clause}");
     }
@@ -73,7 +73,7 @@ fn clauses_of_machines_and_decisions_exist() {
 /// Clause Q-1: the order that reports list fields in.
 #[test]
 fn fields_are_listed_by_level_and_owner() {
-    let names: Vec<&str> = Field::all().into_iter().map(Field::name).collect();
+    let names: Vec<&str> = Field::all().iter().map(|field| field.name()).collect();
     let expected = "sub-pixel vertex-integer snap integer form traversal stamp edge-width walk-fraction \
                     walk-integer walk-guard walk-rounding interpolation guard rounding clamp reciprocal \
                     start-bias depth-format";
@@ -231,13 +231,14 @@ fn a_machine_that_clashes_is_refused() {
             Kind { name: "other", decisions, ..kind },
         ]
     };
+    let before = kinds().count();
     let own = |n: usize| Own::of::<ScanlineConfig>(&NAMED[n]);
     assert_eq!(add(&[own(0)]), Err(AddError::Name("tiles")));
     assert_eq!(add(&[own(1)]), Err(AddError::Spelling("Bad Name")));
     assert_eq!(add(&[own(2), own(2)]), Err(AddError::Name("new")));
     let refused = add(&[own(3)]).unwrap_err().to_string();
     assert!(refused.contains("\"guard\"") && refused.contains("depth plane"), "{refused}");
-    assert_eq!(kinds().count(), 9);
+    assert_eq!(kinds().count(), before);
 }
 
 /// An example's program, built with the others on first use.

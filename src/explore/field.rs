@@ -8,6 +8,7 @@ use crate::machine::{EdgeWalkConfig, kinds, triangle_machines};
 use crate::setup::VertexConfig;
 use crate::value::DepthConfig;
 use std::fmt::Display;
+use std::sync::OnceLock;
 
 pub use crate::format::{Decision, Level, Takes, Value};
 
@@ -93,8 +94,14 @@ impl Field {
     }
 
     /// Every field, in the order that budgets are listed in: the outer level first, and within a level the
-    /// vertex field, the machine with its traversal, and depth.
-    pub fn all() -> Vec<Self> {
+    /// vertex field, the machine with its traversal, and depth. Made on first use: machines of one's own are
+    /// added before ([`crate::machine::add`]).
+    pub fn all() -> &'static [Self] {
+        static ALL: OnceLock<Vec<Field>> = OnceLock::new();
+        ALL.get_or_init(Self::listed)
+    }
+
+    fn listed() -> Vec<Self> {
         let list = |owner, decisions: &'static [Decision]| {
             decisions.iter().map(move |decision| Self::of(owner, decision))
         };
@@ -138,7 +145,7 @@ impl Field {
 
     /// The field of that name.
     pub fn find(name: &str) -> Option<Self> {
-        Self::all().into_iter().find(|field| field.name() == name)
+        Self::all().iter().copied().find(|field| field.name() == name)
     }
 
     /// The words that the field takes, beside or instead of numbers.

@@ -113,7 +113,7 @@ impl Axis {
         let (name, list) = text.split_once('=').ok_or_else(syntax)?;
         let field = Field::find(name.trim()).ok_or_else(|| SpaceError::Unknown {
             name: name.trim().to_owned(),
-            known: Field::all().into_iter().map(Field::name).collect::<Vec<_>>().join(", "),
+            known: Field::all().iter().map(|field| field.name()).collect::<Vec<_>>().join(", "),
         })?;
         let mut values = Vec::new();
         for part in list.split(',').map(str::trim) {
@@ -335,8 +335,7 @@ impl Space {
 
 /// What a budget is made of, by name: its fields, and the bits of its words.
 pub fn describe(profile: &Profile) -> Vec<(&'static str, Value)> {
-    let fields =
-        Field::all().into_iter().filter_map(|field| Some((field.name(), field.read(profile)?)));
+    let fields = Field::all().iter().filter_map(|field| Some((field.name(), field.read(profile)?)));
     let edge = match Field::EDGE_WIDTH.read(profile) {
         Some(Value::Bits(bits)) => Some(bits),
         _ => sum(profile, [Field::WALK_GUARD, Field::WALK_INTEGER, Field::WALK_FRACTION]),

@@ -54,25 +54,31 @@ pub enum Dda {
 }
 
 impl Unit {
-    /// So many copies of a DDA of so many bits, with `registers` words each.
-    const fn new(
-        name: &'static str,
-        dda: Dda,
-        [copies, width, registers]: [u32; 3],
-        clamp: bool,
-    ) -> Self {
-        let (register_bits, adder_bits) = (copies * width * registers, copies * width);
-        Self { name, copies, width, register_bits, adder_bits, clamp, dda }
+    /// One DDA of so many bits, with `registers` words of them.
+    const fn new(name: &'static str, dda: Dda, [width, registers]: [u32; 2]) -> Self {
+        let (copies, register_bits, adder_bits) = (1, width * registers, width);
+        Self { name, copies, width, register_bits, adder_bits, clamp: false, dda }
     }
 
-    /// DDAs with one slope: accumulator and slope.
-    pub const fn linear(name: &'static str, copies: u32, width: u32) -> Self {
-        Self::new(name, Dda::Linear, [copies, width, 2], false)
+    /// A DDA with one slope: accumulator and slope.
+    pub const fn linear(name: &'static str, width: u32) -> Self {
+        Self::new(name, Dda::Linear, [width, 2])
     }
 
-    /// DDAs over a plane, read by their sign: accumulator, row start and two slopes.
-    pub const fn planar(name: &'static str, copies: u32, width: u32) -> Self {
-        Self::new(name, Dda::Planar, [copies, width, 4], false)
+    /// A DDA over a plane, read by its sign: accumulator, row start and two slopes.
+    pub const fn planar(name: &'static str, width: u32) -> Self {
+        Self::new(name, Dda::Planar, [width, 4])
+    }
+
+    /// So many of this one.
+    #[must_use]
+    pub const fn times(self, copies: u32) -> Self {
+        Self {
+            copies: self.copies * copies,
+            register_bits: self.register_bits * copies,
+            adder_bits: self.adder_bits * copies,
+            ..self
+        }
     }
 
     /// The same unit, with a clamp behind it where depth has one.
@@ -84,13 +90,13 @@ impl Unit {
     /// The DDA of a depth plane.
     pub fn depth(depth: &DepthConfig) -> Self {
         let width = depth.guard + depth.integer + depth.interpolation;
-        Self::new("depth", Dda::Depth, [1, width, 4], false).clamped(depth)
+        Self::new("depth", Dda::Depth, [width, 4]).clamped(depth)
     }
 
     /// The DDA of depth along a span: the slope is that of the span.
     pub fn span_depth(depth: &DepthConfig) -> Self {
         let width = depth.guard + depth.integer + depth.interpolation;
-        Self::new("depth", Dda::Depth, [1, width, 2], false).clamped(depth)
+        Self::new("depth", Dda::Depth, [width, 2]).clamped(depth)
     }
 }
 
@@ -259,7 +265,7 @@ impl Datapath {
         state: &RasterState,
         operations: Operations,
     ) -> Self {
-        let mut units = vec![Unit::planar("edge", 3, edges.width)];
+        let mut units = vec![Unit::planar("edge", edges.width).times(3)];
         units.extend(state.depth.as_ref().map(Unit::depth));
         Self { units, setup_bits: super::edge_words::setup_bits(edges, state), operations }
     }

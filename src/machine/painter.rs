@@ -37,7 +37,8 @@ impl Painter {
     }
 
     /// Hands the set-up words to the sink, in the order of [`super::Ports::triangle`]: those of coverage, and
-    /// with `has_depth` those of depth; a triangle without depth has zeros there.
+    /// with `has_depth`, which is the machine's and not the triangle's, those of depth; a triangle without
+    /// depth has zeros there.
     pub fn announce(&self, mut words: Vec<i128>, has_depth: bool, out: &mut dyn Sink) {
         if has_depth {
             words.extend(self.depth.as_ref().map_or([0; 3], |(_, plane)| plane.raw()));

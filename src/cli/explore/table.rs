@@ -138,7 +138,7 @@ pub(crate) fn figure(value: f64) -> String {
 /// Every metric of every budget.
 pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure> {
     let fields: Vec<&str> = {
-        let mut names: Vec<&str> = Field::all().into_iter().map(Field::name).collect();
+        let mut names: Vec<&str> = Field::all().iter().map(|field| field.name()).collect();
         names.extend(["edge-bits", "depth-bits"]);
         names.retain(|name| records.iter().any(|record| field(record, name) != "-"));
         names

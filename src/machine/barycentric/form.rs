@@ -101,13 +101,12 @@ impl Rasterizer for BarycentricConfig {
     }
 
     fn datapath(&self, state: &RasterState) -> Option<Datapath> {
-        let mut units = vec![Unit::planar("edge", 3, self.edge.width)];
+        let mut units = vec![Unit::planar("edge", self.edge.width).times(3)];
         // Its multipliers are combinational: they are in the operations, not here.
         units.extend(
-            state
-                .depth
-                .as_ref()
-                .map(|depth| Unit::planar("share", 2, self.coordinate_width()).clamped(depth)),
+            state.depth.as_ref().map(|depth| {
+                Unit::planar("share", self.coordinate_width()).times(2).clamped(depth)
+            }),
         );
         let setup_bits = edge_words::setup_bits(self.edge, state);
         Some(Datapath { units, setup_bits, operations: self.operations(state) })

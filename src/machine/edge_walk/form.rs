@@ -81,7 +81,7 @@ impl EdgeWalkConfig {
 
     /// Two of three edges are walked at a time; the third waits in set-up.
     pub(in crate::machine) const fn unit(&self) -> Unit {
-        Unit::linear("edge", 2, self.width())
+        Unit::linear("edge", self.width()).times(2)
     }
 
     /// The dividend of an edge walk's start: x times the height plus the part of the first row times

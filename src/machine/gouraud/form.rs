@@ -101,7 +101,7 @@ impl Rasterizer for GouraudConfig {
         let mut units = vec![self.unit()];
         if let Some(depth) = &state.depth {
             let along = Unit::span_depth(depth);
-            units.extend([Unit::linear("edge-depth", 2, along.width), along]);
+            units.extend([Unit::linear("edge-depth", along.width).times(2), along]);
         }
         let (setup_bits, operations) = (self.setup_bits(state), operations(state));
         Some(Datapath { units, setup_bits, operations })

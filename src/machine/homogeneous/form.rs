@@ -80,7 +80,7 @@ impl Rasterizer for HomogeneousConfig {
 
     fn datapath(&self, state: &RasterState) -> Option<Datapath> {
         let width = self.edge_width(&state.vertex);
-        let mut units = vec![Unit::planar("edge", 3, width)];
+        let mut units = vec![Unit::planar("edge", width).times(3)];
         units.extend(state.depth.as_ref().map(Unit::depth));
         let operations = self.operations().with_plane(state.depth.as_ref());
         Some(Datapath { units, setup_bits: width + 1, operations })

@@ -122,6 +122,7 @@ impl Rasterizer for RegisterConfig {
         Ok(Box::new(self.machine(&state.vertex, site.target)?))
     }
 
+    /// The rule that its picture is held against; the engine has one of its own.
     fn rule(&self) -> FillRule {
         FillRule::TopLeft
     }
@@ -131,6 +132,7 @@ impl Rasterizer for RegisterConfig {
         false
     }
 
+    /// It has no depth beside its channels, so no depth that is made otherwise.
     fn walks_a_plane(&self) -> bool {
         true
     }

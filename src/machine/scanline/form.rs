@@ -63,7 +63,7 @@ impl Rasterizer for ScanlineConfig {
 
     fn datapath(&self, state: &RasterState) -> Option<Datapath> {
         // A quotient and a remainder, each with its step.
-        let mut units = vec![Unit::linear("edge", 2, Self::width(&state.vertex))];
+        let mut units = vec![Unit::linear("edge", Self::width(&state.vertex)).times(2)];
         units.extend(state.depth.as_ref().map(Unit::depth));
         let operations = operations().with_plane(state.depth.as_ref());
         Some(Datapath { units, setup_bits: Self::width(&state.vertex), operations })
