@@ -14,7 +14,7 @@
 
 use guardbit::cover::FillRule;
 use guardbit::exact::{PlaneNumerator, Rational};
-use guardbit::format::{Column, Decision, Level, Refused, Value};
+use guardbit::format::{Decision, Level, Refused, Role, Unreduced, Value, WordFormat};
 use guardbit::machine::{
     Count, Datapath, DrawError, Face, Form, FormError, Input, Intake, Kind, Machine, Operations,
     Own, Painter, Polygons, Ports, RasterState, Rasterizer, Sink, Site, Step, Steps, Target, Unit,
@@ -60,9 +60,13 @@ impl Machine for Boxes {
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let edges = edges(&triangle);
-        let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        let words = edges.iter().flat_map(|edge| [edge.c, edge.a, edge.b]).collect();
-        painter.announce(words, self.depth.is_some(), out);
+        let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        // E counts sub-pixels squared, its steps sub-pixels.
+        let s = self.target.grid.sub_pixel;
+        let words = edges.iter().flat_map(|edge| {
+            [(edge.c, 2 * s), (edge.a, s), (edge.b, s)].map(|(raw, s)| Unreduced::new(raw, s))
+        });
+        painter.announce(|| words.collect(), out);
         let [x0, y0, x1, y1] = self.target.bounds(&triangle);
         for y in y0..y1 {
             let covers = |x: u32| {
@@ -95,11 +99,12 @@ impl Rasterizer for Conservative {
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {
         let (s, whole) = (state.vertex.sub_pixel, 2 * state.vertex.difference_bits() + 2);
-        let column = |k: i32, name: &str, what: &str| {
-            Column::new(&format!("{name}{k}"), whole, true, s, &format!("Edge {k}, {what}."))
+        let column =
+            |role: Role, k, fraction| role.of(k, WordFormat::signed(whole).fraction(fraction));
+        let of = |k| {
+            [(Role::EDGE_INIT, 2 * s), (Role::EDGE_DX, s), (Role::EDGE_DY, s)]
+                .map(|(role, fraction)| column(role, k, fraction))
         };
-        let of =
-            |k| [column(k, "c", "constant"), column(k, "a", "x step"), column(k, "b", "y step")];
         let ports = Ports::triangle(&state.vertex, (0..3).flat_map(of).collect(), site.depth);
         let half = (1 << s) >> (self.margin + 1);
         Ok(Box::new(Boxes { half, depth: site.depth, target: site.target, ports }))

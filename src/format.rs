@@ -18,6 +18,6 @@ pub use decision::{Decision, Level, Refused, Takes, Value};
 pub use layout::{Field, Gather, Layout, LayoutError, Packer, WORD};
 pub use q::{Q, QFormat, QFormatError};
 pub use readout::{Clamp, Decode, ReadOut, ReadOutError};
-pub use role::{Role, RoleOf, Word};
+pub use role::{Role, RoleOf, WordFormat};
 pub(crate) use unreduced::same_fraction;
 pub use unreduced::{FractionMismatch, Unreduced};

@@ -37,7 +37,7 @@ pub use list::{kinds, triangle_machines};
 pub use multisampled::Multisampled;
 pub use own::{AddError, Own, OwnForm, add};
 pub use painter::{Painter, drawable};
-pub use port::Ports;
+pub use port::{Ports, SetupError};
 pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
@@ -54,6 +54,7 @@ pub use word::{Fact, Word, WordField, steps_below_half};
 
 use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid, Segment};
+use crate::format::Unreduced;
 use crate::setup::{ClipTriangle, Polygon, Snapped, Triangle, VertexField};
 
 // The one list of machines, in the order that reports and tables have.
@@ -216,13 +217,13 @@ fn with_polygon_depth() -> String {
 
 /// Where spans, values and events of a primitive go, in the order of y then x.
 pub trait Sink {
-    /// Whether [`Sink::setup`] is wanted; a machine may leave it out otherwise.
+    /// Whether [`Sink::setup`] is wanted.
     fn wants_setup(&self) -> bool {
-        true
+        false
     }
 
-    /// The set-up words, in the order of [`Ports::setup`], unreduced.
-    fn setup(&mut self, _words: &[i128]) {}
+    /// The set-up values, in the order of [`Ports::setup`], before they are cut to the columns' words.
+    fn setup(&mut self, _values: &[Unreduced]) {}
 
     /// The triangle has no area and draws nothing.
     fn zero_area(&mut self) {}

@@ -188,15 +188,15 @@ fn area_one_has_the_steepest_slopes() {
     let drawing = draw(&tiny, View::default(), t);
     assert_eq!((drawing.samples(), &drawing.depth[..]), (1, &[0][..]));
     // 7 codes a sub-pixel, 14 a pixel, 8 units a code.
-    assert_eq!(drawing.setup[9..], [0, 112, 0]);
+    assert_eq!(drawing.raw_setup()[9..], [0, 112, 0]);
     // The steepest of all at 24/12/10: (2^24 - 1) 2^12 4^10 codes a pixel, in units of 2^-13.
     let end = 1 << 22;
     let t = Triangle { xy: [[0, 0], [1, end - 1], [1, end]], z: Some([0, (1 << 24) - 1, 0]) };
     assert_eq!(t.area2(), 1);
     let drawing = draw(&load("sgi-4k").unwrap(), row(0), t);
-    assert_eq!(drawing.setup[10], ((1 << 24) - 1) << (12 + 20 + 13));
+    assert_eq!(drawing.raw_setup()[10], ((1 << 24) - 1) << (12 + 20 + 13));
     // The other way it runs down: gy = -(x2 - x0) (z1 - z0) = -(2^24 - 1), times 2^(10 + 13).
-    assert_eq!(drawing.setup[11], -(((1 << 24) - 1) << 23));
+    assert_eq!(drawing.raw_setup()[11], -(((1 << 24) - 1) << 23));
 }
 
 // Clauses P-2, G-2
@@ -241,7 +241,7 @@ fn the_smallest_case_that_needs_a_guard_bit() {
         let depth = profile.depth.as_mut().unwrap();
         (depth.rounding, depth.clamp) = (Rounding::Floor, clamp);
         let drawing = draw(&profile, View::default(), t);
-        let [start, dx, _] = drawing.setup[9..] else { unreachable!() };
+        let [start, dx, _] = drawing.raw_setup()[9..] else { unreachable!() };
         assert_eq!((start, dx, start + 5 * dx), (-13654, 2730, -4));
         drawing.depth[0]
     };

@@ -8,10 +8,10 @@
 
 use guardbit::bits::Rounding;
 use guardbit::case::Words;
-use guardbit::cover::{FillRule, Order, Stamp, TraversalConfig};
+use guardbit::cover::{DepthAt, FillRule, MultisampleConfig, Order, Stamp, TraversalConfig};
 use guardbit::exact::{Outline, PlaneNumerator, Rule};
 use guardbit::format::Clamp;
-use guardbit::machine::{Sink, serial_plane};
+use guardbit::machine::{SetupError, Sink, serial_plane};
 use guardbit::measure::error::{SampleError, triangle_error};
 use guardbit::model::{Drawing, Model, Span};
 use guardbit::profile::{Form, Profile, load, triangle_machines};
@@ -308,10 +308,6 @@ fn a_walked_edge_depends_on_where_it_is_entered() {
 struct Nothing(u64);
 
 impl Sink for Nothing {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, _: u32, x0: u32, x1: u32, _: &[u64]) {
         self.0 += u64::from(x1 - x0);
     }
@@ -653,7 +649,7 @@ fn set_up_words_are_exact_values_rounded_once() {
         for name in ["gouraud", "barycentric", "homogeneous", "scanline"] {
             let profile = base.with_machine(name).unwrap();
             let model = Model::new(&profile).unwrap();
-            let got = draw(&model, &triangle).setup;
+            let got = draw(&model, &triangle).raw_setup();
             assert_eq!(got.len(), model.ports().setup.len());
             let mut wanted = Vec::new();
             for k in 0..3 {
@@ -722,6 +718,32 @@ fn set_up_words_are_exact_values_rounded_once() {
                 _ => plane(z, depth.interpolation, depth.rounding),
             }
             assert_eq!(got, wanted, "{name} {triangle:?}");
+        }
+    }
+}
+
+/// Clause F-6: what a machine announces counts the units of its columns, with and without depth.
+#[test]
+fn set_up_values_count_the_units_of_their_columns() {
+    let triangle = |z| Triangle { xy: [[1, 2], [9001, 700], [2500, 8003]], z };
+    let depth_at = [DepthAt::Centre, DepthAt::Sample].map(Some);
+    for kind in triangle_machines() {
+        for depth in depth_at.into_iter().chain([None]) {
+            let mut profile = load("sgi-4k").unwrap().with_machine(kind.name).unwrap();
+            profile.multisample = depth.map(|depth| MultisampleConfig { samples: 4, depth });
+            if profile.validate().is_err() {
+                continue;
+            }
+            let model = Model::new(&profile).unwrap();
+            for z in [Some([5, 70_000, 900]), None] {
+                let mut drawing = Drawing::default();
+                model.draw(&model.place(triangle(z)).unwrap(), &mut drawing).unwrap();
+                let words = model.ports().words(&drawing.setup);
+                let count = words.unwrap_or_else(|error| panic!("{}: {error}", kind.name)).len();
+                assert_eq!(count, model.ports().setup.len(), "{}", kind.name);
+                assert!(count >= 9, "{}", kind.name);
+            }
+            assert!(matches!(model.ports().words(&[]), Err(SetupError::Count { got: 0, .. })));
         }
     }
 }

@@ -76,8 +76,8 @@ fn setup_words_of(profile: &Profile, triangle: Triangle) -> String {
     let mut drawing = Drawing::default();
     model.draw(&model.place(triangle).unwrap(), &mut drawing).unwrap();
     let mut text = String::new();
-    for (column, word) in model.ports().setup.iter().zip(&drawing.setup) {
-        let word = Word::wrapping(RunTime::new(column.width).unwrap(), *word);
+    let words = model.ports().words(&drawing.setup).unwrap();
+    for (column, word) in model.ports().setup.iter().zip(words) {
         writeln!(
             text,
             "{:<4} {:2} {}",

@@ -13,7 +13,7 @@ use guardbit::machine::Sink;
 use guardbit::model::{Model, View};
 use guardbit::profile::load;
 use guardbit::scene;
-use guardbit::setup::Triangle;
+use guardbit::setup::{Snapped, Triangle};
 use std::hint::black_box;
 
 /// The 39-bit depth accumulator of the lectures.
@@ -146,7 +146,7 @@ fn drawings(c: &mut Criterion) {
             let view = View { window: Some((1024, 1024)), ..View::default() };
             let profile = load(name).expect("a built-in profile");
             let model = Model::with_view(&profile, view).expect("a valid profile");
-            let triangles: Vec<Triangle> = scene::load(scene, &model.viewport())
+            let triangles: Vec<Snapped<Triangle>> = scene::load(scene, &model.viewport())
                 .expect("a built-in scene")
                 .triangles
                 .iter()

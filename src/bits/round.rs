@@ -34,22 +34,16 @@ enum Dropped {
 
 /// What decides between the two neighbours of a quotient that is no integer.
 #[derive(Clone, Copy)]
+#[allow(clippy::struct_excessive_bools, reason = "four independent facts of one quotient")]
 struct Between {
     /// Whether the lower neighbour is odd.
     odd: bool,
     /// Whether the quotient is negative.
     negative: bool,
-    dropped: Dropped,
-}
-
-impl Between {
-    const fn beyond_half(self) -> bool {
-        matches!(self.dropped, Dropped::AboveHalf)
-    }
-
-    const fn tie(self) -> bool {
-        matches!(self.dropped, Dropped::Half)
-    }
+    /// Whether more than one half of the last kept bit was dropped.
+    beyond_half: bool,
+    /// Whether exactly one half was.
+    tie: bool,
 }
 
 /// The table of roundings, one row each: name in profiles; code in RTL; whether it errs by one half at
@@ -98,10 +92,14 @@ macro_rules! roundings {
             }
 
             /// Whether the lower neighbour of a quotient has to be raised by one.
-            const fn raises(self, between: Between) -> bool {
-                if matches!(between.dropped, Dropped::Nothing) {
+            #[inline]
+            const fn raises(self, odd: bool, negative: bool, dropped: Dropped) -> bool {
+                let beyond_half = matches!(dropped, Dropped::AboveHalf);
+                let tie = matches!(dropped, Dropped::Half);
+                if matches!(dropped, Dropped::Nothing) {
                     return false;
                 }
+                let between = Between { odd, negative, beyond_half, tie };
                 match self {
                     $(Self::$name => { let $q = between; $raises })*
                 }
@@ -150,23 +148,23 @@ roundings! {
     #[serde(alias = "nearest")]
     NearestEven "nearest-even" 4 Half
         hls("AC_RND_CONV" "AP_RND_CONV" "SC_RND_CONV") vhdl() gappa("ne")
-        raises |q| q.beyond_half() || (q.tie() && q.odd);
+        raises |q| q.beyond_half || (q.tie && q.odd);
     /// Nearest; a tie goes toward plus infinity.
     NearestUp "nearest-up" 5 Half
         hls("AC_RND" "AP_RND" "SC_RND") vhdl() gappa("nu")
-        raises |q| q.beyond_half() || q.tie();
+        raises |q| q.beyond_half || q.tie;
     /// Nearest; a tie goes toward minus infinity.
     NearestDown "nearest-down" 6 Half
         hls("AC_RND_MIN_INF" "AP_RND_MIN_INF" "SC_RND_MIN_INF") vhdl() gappa("nd")
-        raises |q| q.beyond_half();
+        raises |q| q.beyond_half;
     /// Nearest; a tie goes away from zero.
     NearestAway "nearest-away" 7 Half
         hls("AC_RND_INF" "AP_RND_INF" "SC_RND_INF") vhdl() gappa("na")
-        raises |q| q.beyond_half() || (q.tie() && !q.negative);
+        raises |q| q.beyond_half || (q.tie && !q.negative);
     /// Nearest; a tie goes toward zero.
     NearestTowardZero "nearest-toward-zero" 8 Half
         hls("AC_RND_ZERO" "AP_RND_ZERO" "SC_RND_ZERO") vhdl() gappa("nz")
-        raises |q| q.beyond_half() || (q.tie() && q.negative);
+        raises |q| q.beyond_half || (q.tie && q.negative);
     /// To the odd neighbour whenever anything is dropped, so that a later, narrower rounding to
     /// nearest is still right.
     Odd "odd" 9 One hls() vhdl() gappa("od") raises |q| !q.odd;
@@ -191,8 +189,7 @@ impl Rounding {
                 _ => Dropped::AboveHalf,
             };
             let floor = value >> 127;
-            let between = Between { odd: floor & 1 != 0, negative: value < 0, dropped };
-            let raised = self.raises(between);
+            let raised = self.raises(floor & 1 != 0, value < 0, dropped);
             return (floor + raised as i128, value != 0);
         }
         let floor = value >> shift;
@@ -207,8 +204,7 @@ impl Rounding {
         } else {
             Dropped::AboveHalf
         };
-        let between = Between { odd: floor & 1 != 0, negative: value < 0, dropped };
-        (floor + self.raises(between) as i128, rest != 0)
+        (floor + self.raises(floor & 1 != 0, value < 0, dropped) as i128, rest != 0)
     }
 
     /// `numerator / denominator`, rounded once, and whether anything was dropped.
@@ -238,8 +234,7 @@ impl Rounding {
             std::cmp::Ordering::Equal => Dropped::Half,
             std::cmp::Ordering::Greater => Dropped::AboveHalf,
         };
-        let between = Between { odd: floor & 1 != 0, negative, dropped };
-        Some((floor + i128::from(self.raises(between)), true))
+        Some((floor + i128::from(self.raises(floor & 1 != 0, negative, dropped)), true))
     }
 }
 

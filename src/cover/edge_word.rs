@@ -145,6 +145,12 @@ impl EdgeWords {
         [self.start[k], self.dx[k], self.dy[k]]
     }
 
+    /// Start, dx and dy of edge k.
+    #[inline]
+    pub fn values(&self, k: usize) -> [Unreduced; 3] {
+        self.raw(k).map(|raw| Unreduced::new(raw, self.fraction))
+    }
+
     /// Edge k at pixel (0, 0). Range: `k < 3`.
     #[inline]
     pub const fn start(&self, k: usize) -> Unreduced {

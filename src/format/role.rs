@@ -95,13 +95,13 @@ roles! {
 
 /// Width, sign and fraction bits of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Word {
+pub struct WordFormat {
     width: u32,
     signed: bool,
     fraction: u32,
 }
 
-impl Word {
+impl WordFormat {
     /// An unsigned integer of so many bits.
     pub const fn unsigned(width: u32) -> Self {
         Self { width, signed: false, fraction: 0 }
@@ -126,11 +126,11 @@ impl Word {
 
 impl Role {
     /// The number of a test.
-    pub const TEST_WORD: Word = Word::unsigned(32);
+    pub const TEST_WORD: WordFormat = WordFormat::unsigned(32);
     /// A row or column of pixels: 0 to 2^16, the end of a run included.
-    pub const PIXEL_WORD: Word = Word::unsigned(17);
+    pub const PIXEL_WORD: WordFormat = WordFormat::unsigned(17);
     /// A count of samples.
-    pub const COUNT_WORD: Word = Word::unsigned(32);
+    pub const COUNT_WORD: WordFormat = WordFormat::unsigned(32);
 
     /// The name of the column of vertex, edge, side or share `k`.
     pub fn name(self, k: usize) -> String {
@@ -138,12 +138,12 @@ impl Role {
     }
 
     /// The column of this role.
-    pub fn column(self, word: Word) -> Column {
+    pub fn column(self, word: WordFormat) -> Column {
         word.column(self.pattern.to_owned(), self.meaning.to_owned())
     }
 
     /// The column of vertex, edge, side or share `k`.
-    pub fn of(self, k: usize, word: Word) -> Column {
+    pub fn of(self, k: usize, word: WordFormat) -> Column {
         word.column(self.name(k), self.meaning.replace("{k}", &k.to_string()))
     }
 
@@ -189,7 +189,7 @@ mod tests {
     #[test]
     fn a_name_has_one_role() {
         let mut names: Vec<String> =
-            Role::ALL.iter().map(|role| role.of(1, Word::unsigned(1)).name).collect();
+            Role::ALL.iter().map(|role| role.of(1, WordFormat::unsigned(1)).name).collect();
         for (rank, name) in names.iter().enumerate() {
             let found = Role::find(name).unwrap();
             assert_eq!((found.rank, found.sample), (rank, None), "{name}");

@@ -12,7 +12,7 @@ use super::{DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
 use crate::cover::{EdgeWordConfig, EdgeWordError};
 use crate::dda::Processor;
-use crate::format::{ReadOut, Role, Word};
+use crate::format::{ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{Division, Gradient, Plane, Triangle, VertexConfig};
 use crate::value::Depth;
 use schemars::JsonSchema;
@@ -172,8 +172,8 @@ impl Barycentric {
         let mut setup = edge_columns(config.edge, vertex);
         let read = depth.map(|depth| depth.read_out());
         if let Some(read) = read {
-            let share = Word::signed(config.coordinate_width()).fraction(config.coordinate);
-            let rise = Word::signed(read.integer() + 1);
+            let share = WordFormat::signed(config.coordinate_width()).fraction(config.coordinate);
+            let rise = WordFormat::signed(read.integer() + 1);
             for n in 1..3 {
                 let roles = [Role::SHARE_INIT, Role::SHARE_DX, Role::SHARE_DY];
                 setup.extend(roles.map(|role| role.of(n, share)));
@@ -192,14 +192,15 @@ impl Barycentric {
         Some(Weighted { depth, shares, base: z[0], rise: [z[1] - z[0], z[2] - z[0]] })
     }
 
-    fn words(&self, triangle: &Triangle, weighted: Option<&Weighted>) -> Vec<i128> {
+    fn words(&self, triangle: &Triangle, weighted: Option<&Weighted>) -> Vec<Unreduced> {
         let mut words = setup_words(&self.config.edge.words(triangle, &self.target.grid));
         if self.depth.is_some() {
             let none = [Plane::zero(self.config.coordinate); 2];
             for share in weighted.map_or(none, |weighted| weighted.shares) {
-                words.extend(share.raw());
+                words.extend(share.values());
             }
-            words.extend(weighted.map_or([0; 3], |w| [w.base, w.rise[0], w.rise[1]]));
+            let codes = weighted.map_or([0; 3], |w| [w.base, w.rise[0], w.rise[1]]);
+            words.extend(codes.map(|code| Unreduced::new(code, 0)));
         }
         words
     }
@@ -256,7 +257,9 @@ impl Machine for Barycentric {
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let weighted = self.weighted(&triangle);
-        out.setup(&self.words(&triangle, weighted.as_ref()));
+        if out.wants_setup() {
+            out.setup(&self.words(&triangle, weighted.as_ref()));
+        }
         let words = self.config.edge.words(&triangle, &self.target.grid);
         let v = triangle.xy;
         let sides: Vec<Candidate> =

@@ -11,7 +11,7 @@ use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWords, for_each_run};
 use crate::dda::{Processor, row_inside};
-use crate::format::{Column, Role, Word};
+use crate::format::{Column, Role, Unreduced, WordFormat};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 
@@ -87,8 +87,8 @@ impl Machine for EdgeFunction {
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let words = self.edges.words(&triangle, &self.target.grid);
-        let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        painter.announce(setup_words(&words), self.depth.is_some(), out);
+        let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        painter.announce(|| setup_words(&words), out);
         let [x0, y0, x1, y1] = self.target.bounds(&triangle);
         self.runs(&words, [x0, y0, x1, y1], &mut |y, x0, x1| painter.span(y, x0, x1, out))?;
         let (rows, columns) = (u64::from(y1 - y0), u64::from(x1 - x0));
@@ -98,11 +98,11 @@ impl Machine for EdgeFunction {
 }
 
 /// The words of three edges in the order of [`edge_columns`].
-pub(super) fn setup_words(words: &EdgeWords) -> Vec<i128> {
+pub(super) fn setup_words(words: &EdgeWords) -> Vec<Unreduced> {
     // Room for the three words of a plane behind them.
     let mut setup = Vec::with_capacity(12);
     for k in 0..3 {
-        setup.extend(words.raw(k));
+        setup.extend(words.values(k));
     }
     setup
 }
@@ -110,7 +110,7 @@ pub(super) fn setup_words(words: &EdgeWords) -> Vec<i128> {
 /// The set-up columns of three edges.
 pub(super) fn edge_columns(edges: EdgeWordConfig, vertex: &VertexConfig) -> Vec<Column> {
     let fraction = edges.fraction(vertex.sub_pixel);
-    let word = Word::signed(edges.width).fraction(fraction);
+    let word = WordFormat::signed(edges.width).fraction(fraction);
     let edge = |k| [Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY].map(|role| role.of(k, word));
     (0..3).flat_map(edge).collect()
 }

@@ -9,7 +9,7 @@ use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
-use crate::format::{Clamp, Column, ReadOut, ReadOutError, Role, Word};
+use crate::format::{Clamp, Column, ReadOut, ReadOutError, Role, Unreduced, WordFormat};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
 use schemars::JsonSchema;
@@ -102,6 +102,14 @@ impl WalkedEdge {
 }
 
 impl EdgeWalkConfig {
+    /// The set-up values of an edge, zeros for an edge that crosses no row: x at its first row and its
+    /// change a row in pixels, the first row and the row past the last.
+    pub fn values(&self, edge: Option<&WalkedEdge>) -> [Unreduced; 4] {
+        let [start, slope, first, end] = edge.map_or([0; 4], WalkedEdge::words);
+        let x = |raw| Unreduced::new(raw, self.fraction);
+        [x(start), x(slope), Unreduced::new(first, 0), Unreduced::new(end, 0)]
+    }
+
     /// Checks the word and its growth.
     ///
     /// # Errors
@@ -164,8 +172,8 @@ impl EdgeWalkConfig {
 
     /// The set-up columns of edge `k`, in the order of [`WalkedEdge::words`].
     pub(super) fn columns(&self, word: ReadOut, k: usize) -> [Column; 4] {
-        let x = Word::signed(word.width()).fraction(self.fraction);
-        let row = Word::signed(34);
+        let x = WordFormat::signed(word.width()).fraction(self.fraction);
+        let row = WordFormat::signed(34);
         [
             Role::EDGE_X_INIT.of(k, x),
             Role::EDGE_X_DY.of(k, x),
@@ -219,10 +227,9 @@ impl Machine for EdgeWalk {
         let v = triangle.xy;
         let edges: [Option<WalkedEdge>; 3] =
             std::array::from_fn(|k| self.config.edge(v[k], v[(k + 1) % 3], &grid));
-        let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        let words =
-            edges.iter().flat_map(|edge| edge.map_or([0; 4], |edge| edge.words())).collect();
-        painter.announce(words, self.depth.is_some(), out);
+        let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        let values = || edges.iter().flat_map(|edge| self.config.values(edge.as_ref())).collect();
+        painter.announce(values, out);
         let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
         let mut visits = 0;
         for y in y0..y1 {

@@ -52,8 +52,8 @@ impl Machine for EnginePerPixel {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let Target { grid, clip } = self.target;
         let words = self.edges.words(&triangle, &grid);
-        let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        painter.announce(setup_words(&words), self.depth.is_some(), out);
+        let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        painter.announce(|| setup_words(&words), out);
         // A word that wraps lights engines far away; one that does not leaves them dark, and the
         // model need not look.
         let everywhere = [clip.x0, clip.y0, clip.x1, clip.y1];

@@ -9,7 +9,7 @@ pub(super) use form::KIND;
 use super::painter::{accumulated_span, drawable};
 use super::{DrawError, EdgeWalkConfig, Input, Machine, Ports, Sink, Target, WalkedEdge, Work};
 use crate::bits::Rounding;
-use crate::format::{ReadOut, Role, Word};
+use crate::format::{ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
 
@@ -43,7 +43,7 @@ impl Gouraud {
         let setup = (0..3)
             .flat_map(|k| {
                 let depth = read.map(|read| {
-                    let word = Word::signed(read.width()).fraction(read.fraction());
+                    let word = WordFormat::signed(read.width()).fraction(read.fraction());
                     [Role::EDGE_DEPTH_INIT, Role::EDGE_DEPTH_DY].map(|role| role.of(k, word))
                 });
                 config.columns(word, k).into_iter().chain(depth.into_iter().flatten())
@@ -154,11 +154,16 @@ impl Gouraud {
             self.edge([v[k], v[next]], z.map(|z| [z[k], z[next]]))
         });
         let words = edges.iter().flat_map(|edge| {
-            let x = edge.map_or([0; 4], |edge| edge.x.words());
+            let x = self.config.values(edge.as_ref().map(|edge| &edge.x));
             let z = edge.and_then(|edge| edge.depth).unwrap_or_default();
-            x.into_iter().chain(z.into_iter().filter(|_| self.depth.is_some()))
+            let z = self.depth.iter().flat_map(move |depth| {
+                z.map(|raw| Unreduced::new(raw, depth.read_out().fraction()))
+            });
+            x.into_iter().chain(z)
         });
-        out.setup(&words.collect::<Vec<_>>());
+        if out.wants_setup() {
+            out.setup(&words.collect::<Vec<_>>());
+        }
         let edges: Vec<Edge> = edges.into_iter().flatten().collect();
         self.walk(&edges, triangle.extent(1), out)
     }

@@ -10,7 +10,7 @@ pub(super) use form::KIND;
 use super::painter::Painter;
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::FillRule;
-use crate::format::{Column, ReadOut, Role, Word};
+use crate::format::{Column, ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{ClipSetup, ClipTriangle, Linear, VertexConfig, linear_at};
 use crate::value::Depth;
 use descent::Descent;
@@ -121,8 +121,8 @@ impl Homogeneous {
     ) -> Self {
         let difference = vertex.difference_bits();
         let s = vertex.sub_pixel;
-        let whole = Word::signed(config.edge_width(vertex)).fraction(2 * s);
-        let slope = Word::signed(difference + 2 * config.w + 2).fraction(s);
+        let whole = WordFormat::signed(config.edge_width(vertex)).fraction(2 * s);
+        let slope = WordFormat::signed(difference + 2 * config.w + 2).fraction(s);
         let column = |role: Role, k, word, what| Column {
             meaning: format!("Edge {k}, {what}."),
             ..role.of(k, word)
@@ -194,16 +194,17 @@ impl Machine for Homogeneous {
             return Ok(());
         };
         let grid = &self.target.grid;
-        let plane = self.depth.zip(setup.depth).map(|(depth, f)| {
+        let mut painter = Painter::over(self.depth.as_ref(), |depth| {
+            let f = setup.depth?;
             let numerators = [linear_at(&f, grid.offset), f[0], f[1]];
-            (depth, depth.plane_over(numerators, setup.determinant, grid))
+            Some(depth.plane_over(numerators, setup.determinant, grid))
         });
-        let mut painter = Painter::over(plane);
-        painter.announce(
-            setup.edges.map(|[a, b, c]| [c, a, b]).concat(),
-            self.depth.is_some(),
-            out,
-        );
+        // With W = 1 an edge function counts sub-pixels squared, and its steps sub-pixels.
+        let (square, step) = (2 * grid.sub_pixel, grid.sub_pixel);
+        let edges = setup.edges.map(|[a, b, c]| {
+            [Unreduced::new(c, square), Unreduced::new(a, step), Unreduced::new(b, step)]
+        });
+        painter.announce(|| edges.concat(), out);
         let mut work = Work::default();
         let functions = self.functions(&setup, clipped);
         for [y, x0, x1] in Descent::new(&functions, &self.target).runs(&mut work) {

@@ -5,7 +5,7 @@ use super::painter::report;
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::{Place, SpanEvents};
 use crate::cover::{DepthAt, MultisampleConfig, Rect};
-use crate::format::{Column, Role, Word};
+use crate::format::{Column, Role, Unreduced, WordFormat};
 use crate::setup::{Plane, Triangle, VertexConfig};
 use crate::value::Depth;
 
@@ -23,14 +23,18 @@ pub struct Multisampled {
 /// Runs of one sample.
 #[derive(Default)]
 struct Kept {
-    setup: Vec<i128>,
+    setup: Vec<Unreduced>,
     runs: Vec<[u32; 3]>,
     zero_area: bool,
     work: Work,
 }
 
 impl Sink for Kept {
-    fn setup(&mut self, words: &[i128]) {
+    fn wants_setup(&self) -> bool {
+        true
+    }
+
+    fn setup(&mut self, words: &[Unreduced]) {
         self.setup.extend_from_slice(words);
     }
 
@@ -67,7 +71,7 @@ impl Multisampled {
         }
         let read = depth.map(|depth| depth.read_out());
         if let Some(read) = read {
-            let word = Word::signed(read.width()).fraction(read.fraction());
+            let word = WordFormat::signed(read.width()).fraction(read.fraction());
             let init = Role::DEPTH_INIT.column(word);
             match config.depth {
                 DepthAt::Centre => {
@@ -83,7 +87,7 @@ impl Multisampled {
             setup.extend([Role::DEPTH_DX, Role::DEPTH_DY].map(|role| role.column(word)));
         }
         let mut ports = Ports::valued(vertex, setup, depth);
-        ports.mask = Some(Role::MASK.column(Word::unsigned(config.samples)));
+        ports.mask = Some(Role::MASK.column(WordFormat::unsigned(config.samples)));
         ports.by_sample = config.depth == DepthAt::Sample && depth.is_some();
         Self { config, samples, depth, target, ports }
     }
@@ -159,10 +163,11 @@ impl Machine for Multisampled {
             samples.push(kept.runs);
         }
         let planes = self.planes(&triangle);
-        if self.depth.is_some() {
+        if let Some(depth) = &self.depth {
+            let zero = Plane::zero(depth.read_out().fraction());
             let starts = if self.config.depth == DepthAt::Centre { 1 } else { self.samples.len() };
             let planes = planes.as_ref().map_or(&[][..], |(_, planes)| planes);
-            let words = |n: usize| planes.get(n).map_or([0; 3], Plane::raw);
+            let words = |n: usize| planes.get(n).unwrap_or(&zero).values();
             setup.extend((0..starts).map(|n| words(n)[0]));
             setup.extend_from_slice(&words(0)[1..]);
         }

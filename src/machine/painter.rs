@@ -2,7 +2,7 @@
 
 use super::{DrawError, Sink, Target};
 use crate::bits::{Event, Place, SpanEvents};
-use crate::format::{Clamp, ReadOut};
+use crate::format::{Clamp, ReadOut, Unreduced};
 use crate::setup::{Plane, Triangle};
 use crate::value::Depth;
 
@@ -18,32 +18,37 @@ pub fn drawable(triangle: &Triangle, out: &mut dyn Sink) -> Option<Triangle> {
 
 /// Values and events of the spans of one triangle, where depth is a plane.
 #[derive(Debug)]
-pub struct Painter {
-    depth: Option<(Depth, Plane)>,
+pub struct Painter<'a> {
+    depth: Option<(&'a Depth, Option<Plane>)>,
     values: Vec<u64>,
 }
 
-impl Painter {
-    /// The plane of a normalised triangle, set up; without depth there is none.
-    pub fn new(depth: Option<Depth>, triangle: &Triangle, target: &Target) -> Self {
-        let plane = depth.zip(triangle.z);
-        let plane = plane.map(|(depth, z)| (depth, depth.plane(triangle, z, &target.grid)));
-        Self::over(plane)
+impl<'a> Painter<'a> {
+    /// The painter of a normalised triangle on a machine with this depth evaluator, or without one.
+    pub fn new(depth: Option<&'a Depth>, triangle: &Triangle, target: &Target) -> Self {
+        Self::over(depth, |depth| Some(depth.plane(triangle, triangle.z?, &target.grid)))
     }
 
-    /// A painter of a plane that is set up already.
-    pub(super) fn over(depth: Option<(Depth, Plane)>) -> Self {
-        Self { depth, values: Vec::new() }
+    /// A painter of a plane that the machine sets up by other means; `None` for a primitive without depth.
+    pub(super) fn over(
+        depth: Option<&'a Depth>,
+        plane: impl FnOnce(&Depth) -> Option<Plane>,
+    ) -> Self {
+        Self { depth: depth.map(|depth| (depth, plane(depth))), values: Vec::new() }
     }
 
-    /// Hands the set-up words to the sink, in the order of [`super::Ports::triangle`]: those of coverage, and
-    /// with `has_depth`, which is the machine's and not the triangle's, those of depth; a triangle without
-    /// depth has zeros there.
-    pub fn announce(&self, mut words: Vec<i128>, has_depth: bool, out: &mut dyn Sink) {
-        if has_depth {
-            words.extend(self.depth.as_ref().map_or([0; 3], |(_, plane)| plane.raw()));
+    /// Hands the set-up values to a sink that wants them, in the order of [`super::Ports::triangle`]: those
+    /// of coverage, and on a machine with depth those of depth; a triangle without depth has zeros there.
+    pub fn announce(&self, coverage: impl FnOnce() -> Vec<Unreduced>, out: &mut dyn Sink) {
+        if !out.wants_setup() {
+            return;
         }
-        out.setup(&words);
+        let mut values = coverage();
+        if let Some((depth, plane)) = &self.depth {
+            let zero = Plane::zero(depth.read_out().fraction());
+            values.extend(plane.as_ref().unwrap_or(&zero).values());
+        }
+        out.setup(&values);
     }
 
     /// Draws the covered samples `[x0, x1)` of row y: values, read-out and events.
@@ -51,7 +56,7 @@ impl Painter {
     /// # Errors
     /// [`DrawError::GuardRange`] under the clamp mode `error`.
     pub fn span(&mut self, y: u32, x0: u32, x1: u32, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let Some((depth, plane)) = &self.depth else {
+        let Some((depth, Some(plane))) = &self.depth else {
             out.span(y, x0, x1, &[]);
             return Ok(());
         };

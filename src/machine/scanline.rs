@@ -8,7 +8,7 @@ pub(super) use form::KIND;
 use super::painter::{Painter, drawable};
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::{FillRule, fits_narrow, polygon, scan};
-use crate::format::{Role, Word};
+use crate::format::{Role, Unreduced, WordFormat};
 use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
 use schemars::JsonSchema;
@@ -48,7 +48,7 @@ impl Scanline {
         target: Target,
     ) -> Self {
         let difference = vertex.difference_bits();
-        let word = Word::signed(difference).fraction(vertex.sub_pixel);
+        let word = WordFormat::signed(difference).fraction(vertex.sub_pixel);
         let side = [Role::SIDE_X, Role::SIDE_Y, Role::SIDE_RUN, Role::SIDE_RISE];
         let setup = (0..3).flat_map(|k| side.map(|role| role.of(k, word))).collect();
         let ports = Ports::triangle(vertex, setup, depth);
@@ -96,8 +96,8 @@ impl Machine for Scanline {
             return self.polygon(polygon, out);
         }
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
-        let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        if out.wants_setup() {
+        let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        let sides = || {
             let v = triangle.xy;
             let sides = (0..3).flat_map(|k| {
                 let (mut top, mut bottom) = (v[k], v[(k + 1) % 3]);
@@ -106,8 +106,10 @@ impl Machine for Scanline {
                 }
                 [top[0], top[1], bottom[0] - top[0], bottom[1] - top[1]]
             });
-            painter.announce(sides.collect(), self.depth.is_some(), out);
-        }
+            let sub_pixel = self.target.grid.sub_pixel;
+            sides.map(|raw| Unreduced::new(raw, sub_pixel)).collect()
+        };
+        painter.announce(sides, out);
         let mut work = Work::default();
         let mut done = Ok(());
         self.cover(&triangle, |y, x0, x1| {

@@ -189,8 +189,8 @@ impl Machine for Tiles {
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let words = self.config.edge.words(&triangle, &self.target.grid);
-        let mut painter = Painter::new(self.depth, &triangle, &self.target);
-        painter.announce(setup_words(&words), self.depth.is_some(), out);
+        let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        painter.announce(|| setup_words(&words), out);
         let within = self.target.bounds(&triangle);
         if within[0] == within[2] || within[1] == within[3] {
             return Ok(());

@@ -173,8 +173,8 @@ impl Machine for Traversed {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let grid = &self.target.grid;
         let words = self.edges.words(&triangle, grid);
-        let painter = Painter::new(self.depth, &triangle, &self.target);
-        painter.announce(setup_words(&words), self.depth.is_some(), out);
+        let painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
+        painter.announce(|| setup_words(&words), out);
         let [x0, y0, x1, y1] = self.target.bounds(&triangle);
         if x0 == x1 || y0 == y1 {
             return Ok(());

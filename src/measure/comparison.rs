@@ -299,10 +299,6 @@ fn shares(operations: &Operations, work: &Work, runs: u64, fragments: u64) -> Sh
 pub(super) struct Drain(pub(super) u64);
 
 impl Sink for Drain {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         let last = depth.last().copied().unwrap_or(0);
         self.0 = self.0.wrapping_add(u64::from(x1 - x0) ^ u64::from(y) ^ last);

@@ -88,10 +88,6 @@ struct Accumulators {
 }
 
 impl Sink for Accumulators {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn zero_area(&mut self) {
         self.zero_area = true;
     }

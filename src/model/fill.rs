@@ -36,10 +36,6 @@ impl Raster {
 }
 
 impl Sink for Raster {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         let run = self.run(y, x0, x1);
         if depth.len() == run.len() {
@@ -50,10 +46,6 @@ impl Sink for Raster {
 
 /// Fragments without depth do not reach it.
 impl Sink for DepthBuffer {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         if depth.len() == (x1 - x0) as usize {
             self.test(y, x0, depth);
@@ -62,10 +54,6 @@ impl Sink for DepthBuffer {
 }
 
 impl Sink for Bitmask {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
         self.fill(y, x0, x1);
     }
@@ -120,7 +108,7 @@ impl Model {
     pub fn fill(&self, triangle: &Snapped<Triangle>, raster: &mut Raster) -> Result<(), DrawError> {
         self.check(Some(triangle.field()))?;
         let Some(quick) = &self.quick else { return self.draw(triangle, raster) };
-        let Some((depth, z)) = quick.depth.zip(triangle.z) else {
+        let Some((depth, z)) = quick.depth.as_ref().zip(triangle.z) else {
             return self.cover(triangle, &mut raster.mask);
         };
         let turned = Triangle { z: Some(z), ..**triangle }.normalised();

@@ -1,6 +1,7 @@
 //! A sink that keeps everything of one primitive: what `eval`, `trace` and the tests look at.
 
 use crate::bits::{Event, EventLog, Events, SpanEvents};
+use crate::format::Unreduced;
 use crate::machine::Sink;
 
 /// A maximal run of covered samples `[x0, x1)` in row y.
@@ -17,8 +18,10 @@ pub struct Span {
 /// All that drawing one primitive gave.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Drawing {
-    /// Set-up words, unreduced.
-    pub setup: Vec<i128>,
+    /// Set-up values, before they are cut to words; [`Ports::words`] does that.
+    ///
+    /// [`Ports::words`]: crate::machine::Ports::words
+    pub setup: Vec<Unreduced>,
     /// Covered runs, in y then x order.
     pub spans: Vec<Span>,
     /// Depth of each covered sample, run by run; empty when the primitive has none. With several
@@ -43,6 +46,11 @@ impl Drawing {
         self.zero_area = false;
     }
 
+    /// The set-up values in units of their own last place.
+    pub fn raw_setup(&self) -> Vec<i128> {
+        self.setup.iter().map(|value| value.raw()).collect()
+    }
+
     /// Covered samples.
     pub fn samples(&self) -> u64 {
         self.spans.iter().map(|span| u64::from(span.x1 - span.x0)).sum()
@@ -59,8 +67,12 @@ impl Drawing {
 }
 
 impl Sink for Drawing {
-    fn setup(&mut self, words: &[i128]) {
-        self.setup.extend_from_slice(words);
+    fn wants_setup(&self) -> bool {
+        true
+    }
+
+    fn setup(&mut self, values: &[Unreduced]) {
+        self.setup.extend_from_slice(values);
     }
 
     fn zero_area(&mut self) {

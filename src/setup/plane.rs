@@ -122,6 +122,12 @@ impl Plane {
         [self.start, self.dx, self.dy]
     }
 
+    /// Start, dx and dy.
+    #[inline]
+    pub fn values(&self) -> [Unreduced; 3] {
+        self.raw().map(|raw| Unreduced::new(raw, self.fraction))
+    }
+
     /// Value at the sample of pixel (0, 0) of the window.
     #[inline]
     pub const fn start(&self) -> Unreduced {

@@ -127,6 +127,7 @@ impl Depth {
     }
 
     /// The rounded plane of a normalised triangle of positive area, unreduced.
+    #[inline]
     pub fn plane(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> Plane {
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
         let gradient = Gradient::new(triangle, z);
@@ -187,6 +188,7 @@ impl Depth {
     }
 
     /// Reads the run of `out.len()` samples from pixel (x, y) rightward.
+    #[inline]
     pub fn span(&self, plane: &Plane, y: u32, x: u32, out: &mut [u64]) {
         if self.config.format.is_some() {
             for (slot, x) in out.iter_mut().zip(x..) {

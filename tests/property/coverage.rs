@@ -205,7 +205,9 @@ fn cut(model: &Model, whole: &Drawing, rect: Rect) -> Drawing {
         part.spans.push(Span { y: span.y, x0, x1 });
         part.depth.extend((x0..x1).filter_map(|x| values.get(&(span.y, x))));
         if let (Some(depth), false) = (model.depth(), values.is_empty()) {
-            let [start, dx, dy] = whole.setup[whole.setup.len() - 3..] else { unreachable!() };
+            let [start, dx, dy] = whole.raw_setup()[whole.setup.len() - 3..] else {
+                unreachable!()
+            };
             let start = start + dx * i128::from(x0) + dy * i128::from(span.y);
             let line = Line { start, slope: dx, count: u64::from(x1 - x0) };
             let place = guardbit::bits::Place { y: span.y.into(), x: x0.into() };

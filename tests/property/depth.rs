@@ -97,7 +97,7 @@ proptest! {
             let e = (q[0] - p[0]) * (512 - p[1]) - (q[1] - p[1]) * (512 - p[0]);
             let owner = q[1] < p[1] || q[1] == p[1] && q[0] > p[0];
             let stored = (e - i128::from(!owner)).div_euclid(1024);
-            prop_assert_eq!(&drawing.setup[3 * k..3 * k + 3], &[stored, p[1] - q[1], q[0] - p[0]]);
+            prop_assert_eq!(&drawing.raw_setup()[3 * k..3 * k + 3], &[stored, p[1] - q[1], q[0] - p[0]]);
         }
         // Slopes per pixel are differences of the exact plane one pixel apart.
         let (at, den) = exact(&triangle, [512, 512]);
@@ -115,7 +115,7 @@ proptest! {
             }
         };
         let bias = if half && f > 0 { 1i128 << (f - 1) } else { 0 };
-        let got = [drawing.setup[9] - bias, drawing.setup[10], drawing.setup[11]];
+        let got = [drawing.raw_setup()[9] - bias, drawing.raw_setup()[10], drawing.raw_setup()[11]];
         prop_assert_eq!(got.map(BigInt::from), expected);
     }
 
@@ -143,7 +143,7 @@ proptest! {
         if drawing.zero_area {
             return Ok(());
         }
-        let [start, dx, dy] = drawing.setup[9..] else { unreachable!() };
+        let [start, dx, dy] = drawing.raw_setup()[9..] else { unreachable!() };
         let value = |y: u32, x: u32| start + dx * i128::from(x) + dy * i128::from(y);
         let mut counts = [0; 4];
         let mut values = drawing.depth.iter();
@@ -190,7 +190,7 @@ proptest! {
             if drawing.zero_area {
                 return Ok(());
             }
-            let [start, dx, dy] = drawing.setup[9..] else { unreachable!() };
+            let [start, dx, dy] = drawing.raw_setup()[9..] else { unreachable!() };
             let mut offset = 0;
             for span in &drawing.spans {
                 // The error is linear along a row, so its extremes are at the ends.

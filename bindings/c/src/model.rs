@@ -4,9 +4,10 @@ use crate::primitive::{GUARDBIT_TRIANGLE, Given, given};
 use crate::table::Table;
 use crate::walk::WALKS;
 use crate::{
-    Failure, GUARDBIT_ARGUMENT, GUARDBIT_PROFILE, GUARDBIT_REFUSED, answer, null, numbers_in,
-    word_out,
+    Failure, GUARDBIT_ARGUMENT, GUARDBIT_INTERNAL, GUARDBIT_PROFILE, GUARDBIT_REFUSED, answer,
+    null, numbers_in, word_out,
 };
+use guardbit::bits::Width as _;
 use guardbit::model::{Drawing, Model, PrimitiveError, Records};
 use guardbit::profile;
 use guardbit::scene::{Primitive, Triangle};
@@ -243,12 +244,16 @@ pub unsafe extern "C" fn guardbit_depth(
 pub unsafe extern "C" fn guardbit_setup(model: i32, index: u32, word: *mut u32) -> i32 {
     answer(|| {
         let (width, value) = MODELS.with(model, |open| {
-            let columns = &open.model.ports().setup;
-            let found = columns.get(index as usize).zip(open.drawing.setup.get(index as usize));
-            let none = || few("index", index.into(), open.drawing.setup.len(), "set-up words");
-            found.map(|(column, value)| (column.width, *value)).ok_or_else(none)
+            let setup = &open.drawing.setup;
+            // A primitive without area has no words.
+            let words =
+                if setup.is_empty() { Ok(Vec::new()) } else { open.model.ports().words(setup) };
+            let words =
+                words.map_err(|error| Failure::new(GUARDBIT_INTERNAL, error.to_string()))?;
+            let none = || few("index", index.into(), words.len(), "set-up words");
+            let word = words.get(index as usize).ok_or_else(none)?;
+            Ok((word.width().bits(), word.to_bits()))
         })?;
-        let value = value.cast_unsigned() & (u128::MAX >> (128 - width));
         // SAFETY: as the caller promises.
         unsafe { word_out(word, "word", value) }?;
         count(width as usize, "bits")

@@ -117,10 +117,14 @@ impl Model {
         let primitive = self.0.prepare(&primitive).map_err(refuse)?;
         let mut drawing = Drawing::default();
         self.0.draw(&primitive, &mut drawing).map_err(refuse)?;
-        let setup = self.0.ports().setup.iter().zip(&drawing.setup).map(|(column, word)| {
-            let mask = u128::MAX >> (128 - column.width);
-            (column.name.clone(), word.cast_unsigned() & mask)
-        });
+        let ports = self.0.ports();
+        // A primitive without area, or of a machine that needs no set-up, has no words.
+        let words = match drawing.setup.as_slice() {
+            [] => Vec::new(),
+            values => ports.words(values).map_err(refuse)?,
+        };
+        let names = ports.setup.iter().map(|column| column.name.clone());
+        let setup = names.zip(words.into_iter().map(|word| word.to_bits()));
         Ok(Answer {
             rows: drawing.spans.iter().map(|span| (span.y, span.x0, span.x1)).collect(),
             setup: setup.collect(),

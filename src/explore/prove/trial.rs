@@ -46,7 +46,7 @@ pub(super) fn shoot(
         covered: drawing.samples() == 1 || refused,
         depth: drawing.depth.first().copied(),
         wrapped: drawing.events.total.count(Event::Wrap) > 0 || refused,
-        setup: drawing.setup,
+        setup: drawing.raw_setup(),
         start_bias: model.depth().map_or(0, crate::value::Depth::start_bias),
     })
 }

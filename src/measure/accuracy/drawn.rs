@@ -27,10 +27,6 @@ pub struct Drawn {
 pub(super) struct Runs(pub(super) Vec<Span>, pub(super) Work);
 
 impl Sink for Runs {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
         self.0.push(Span { y, x0, x1 });
     }

@@ -24,10 +24,6 @@ pub(super) struct Held {
 }
 
 impl Sink for Held {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, _: &[u64]) {
         self.runs.push((Span { y, x0, x1 }, self.accumulators.len()));
     }

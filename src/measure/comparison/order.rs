@@ -44,10 +44,6 @@ struct Seen {
 }
 
 impl Sink for Seen {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         self.spans.push(Span { y, x0, x1 });
         self.depth.extend_from_slice(depth);

@@ -42,10 +42,6 @@ struct Tally {
 }
 
 impl Sink for Tally {
-    fn wants_setup(&self) -> bool {
-        false
-    }
-
     fn span(&mut self, _: u32, x0: u32, x1: u32, _: &[u64]) {
         self.fragments += u64::from(x1 - x0);
         self.runs += 1;

@@ -381,7 +381,7 @@ fn agree(profile: &Profile, triangle: Triangle, walk: impl Fn(&Walk) -> Walked) 
     DONE.set(Count::default());
     let walked = walk(&plan);
     let done = DONE.get();
-    assert_eq!(walked.words, drawing.setup);
+    assert_eq!(walked.words, drawing.raw_setup());
     let drawn: Vec<_> = drawing
         .spans
         .iter()

@@ -5,7 +5,7 @@ use super::{Bench, FileSpec, Group, Rig, Run, Shape, Single, Source, TestAt, Tes
 use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
 use crate::case::{Words, place};
 use crate::cover::SampleGrid;
-use crate::format::{Clamp, ReadOut, Role, Word};
+use crate::format::{Clamp, ReadOut, Role, WordFormat};
 use crate::profile::Profile;
 use crate::setup::Triangle;
 use crate::value::Depth;
@@ -125,15 +125,15 @@ impl WalkBench {
 
     fn file_specs(kind: WalkKind, read: ReadOut) -> (FileSpec, Single<FileSpec>) {
         let width = read.width();
-        let op = Role::OP.column(Word::unsigned(2));
+        let op = Role::OP.column(WordFormat::unsigned(2));
         let word = |role: Role| {
             let fraction = if kind == WalkKind::Depth { read.fraction() } else { 0 };
-            role.column(Word::signed(width).fraction(fraction))
+            role.column(WordFormat::signed(width).fraction(fraction))
         };
         match kind {
             WalkKind::Depth => {
                 let cfg = [Role::INIT, Role::DX, Role::DY].map(word).to_vec();
-                let out = Role::OUT.column(Word::unsigned(read.integer()));
+                let out = Role::OUT.column(WordFormat::unsigned(read.integer()));
                 let exp = vec![op, word(Role::ACC), out];
                 (
                     FileSpec::ordered("dda.cfg", cfg),
@@ -143,7 +143,7 @@ impl WalkBench {
             WalkKind::Edge => {
                 let roles = [Role::WALKED_EDGE_INIT, Role::WALKED_EDGE_DX, Role::WALKED_EDGE_DY];
                 let cfg = roles.map(word).to_vec();
-                let inside = Role::INSIDE.column(Word::unsigned(1));
+                let inside = Role::INSIDE.column(WordFormat::unsigned(1));
                 let exp = vec![op, word(Role::WALKED_EDGE), inside];
                 (
                     FileSpec::ordered("edge.cfg", cfg),
@@ -155,10 +155,10 @@ impl WalkBench {
 
     /// The file of the operand form.
     fn operands(&self) -> FileSpec {
-        let word = Word::signed(self.read.width());
+        let word = WordFormat::signed(self.read.width());
         let operands = [Role::BEFORE, Role::ADDEND, Role::AFTER].map(|role| role.column(word));
         let result = self.exp.exp.columns[2].clone();
-        let flags = Role::FLAGS.column(Word::unsigned(4));
+        let flags = Role::FLAGS.column(WordFormat::unsigned(4));
         let columns = operands.into_iter().chain([result, flags]).collect();
         FileSpec::ordered(self.name(), columns)
     }

@@ -2,7 +2,7 @@
 
 use super::{FileSpec, TriangleAnswers};
 use crate::cover::Rect;
-use crate::format::{Clamp, Column, Role, Word};
+use crate::format::{Clamp, Column, Role, WordFormat};
 use crate::model::{Model, View};
 use crate::profile::Profile;
 use crate::setup::Triangle;
@@ -45,7 +45,7 @@ pub(super) fn input_words(triangle: &Triangle, has_depth: bool) -> Vec<i128> {
 /// Set-up words and the flag of no area.
 pub(super) fn setup_columns(model: &Model) -> Vec<Column> {
     let mut columns = model.ports().setup.clone();
-    columns.push(Role::ZERO_AREA.column(Word::unsigned(1)));
+    columns.push(Role::ZERO_AREA.column(WordFormat::unsigned(1)));
     columns
 }
 
@@ -72,10 +72,10 @@ pub(super) fn answer_files(model: &Model) -> TriangleAnswers<FileSpec> {
         Role::INEXACT,
     ];
     let mut exp = counts.map(|role| role.column(Role::COUNT_WORD)).to_vec();
-    exp.push(Role::ZERO_AREA.column(Word::unsigned(1)));
+    exp.push(Role::ZERO_AREA.column(WordFormat::unsigned(1)));
     let depths = ports.depth.as_ref().map(|depth| {
         let mut key = place_columns(PIXEL);
-        key.extend(ports.by_sample.then(|| Role::SAMPLE.column(Word::unsigned(5))));
+        key.extend(ports.by_sample.then(|| Role::SAMPLE.column(WordFormat::unsigned(5))));
         FileSpec::keyed("depth.exp", key, vec![depth.clone()])
     });
     let masks = ports.mask.as_ref();

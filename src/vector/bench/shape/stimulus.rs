@@ -2,7 +2,7 @@
 
 use super::ShapeKind;
 use crate::case::{Class, Words};
-use crate::format::{Column, Role, Word};
+use crate::format::{Column, Role, WordFormat};
 use crate::model::Model;
 use crate::profile::Profile;
 
@@ -19,14 +19,14 @@ pub(super) fn columns(kind: ShapeKind, model: &Model, has_depth: bool) -> Vec<Co
     let depth = profile.depth.map_or(0, |depth| depth.integer);
     let w = profile.form.w_bits().filter(|_| kind == ShapeKind::Clip).map_or(0, |w| w + 1);
     let place = if w > 0 {
-        Word::signed(field.width + w + 1)
+        WordFormat::signed(field.width + w + 1)
     } else if field.signed {
-        Word::signed(field.width)
+        WordFormat::signed(field.width)
     } else {
-        Word::unsigned(field.width)
+        WordFormat::unsigned(field.width)
     };
     let place = place.fraction(profile.vertex.sub_pixel);
-    let z = if w > 0 { Word::signed(depth + w + 1) } else { Word::unsigned(depth) };
+    let z = if w > 0 { WordFormat::signed(depth + w + 1) } else { WordFormat::unsigned(depth) };
     let vertex = |n: usize| {
         let mut columns: Vec<Column> =
             [Role::VERTEX_X, Role::VERTEX_Y].map(|role| role.of(n, place)).to_vec();
@@ -35,7 +35,7 @@ pub(super) fn columns(kind: ShapeKind, model: &Model, has_depth: bool) -> Vec<Co
             for column in &mut columns {
                 column.meaning = format!("{}, times W.", column.meaning.trim_end_matches('.'));
             }
-            columns.push(Role::VERTEX_W.of(n, Word::signed(w + 1)));
+            columns.push(Role::VERTEX_W.of(n, WordFormat::signed(w + 1)));
         }
         columns
     };
