@@ -1,6 +1,6 @@
 //! The profiles of real rasterizers against samples of independent implementations, in every bit. The
 //! samples lie beside the project and not in it: where they are absent, the trials say so and are counted
-//! as ignored; `tests/rasterizers.rs` holds the same behaviour without them.
+//! as ignored; `tests/model/rasterizers.rs` holds the same behaviour without them.
 
 use flate2::read::GzDecoder;
 use guardbit::machine::Sink;

@@ -1,6 +1,6 @@
 //! Words and DDAs against unbounded integers.
 
-use crate::cases;
+use crate::property::cases;
 use guardbit::bits::{Event, Mismatch, Overflow, RunTime, Width as _, Word};
 use guardbit::dda::{Linear, Planar};
 use guardbit::format::{Q, QFormat};

@@ -4,8 +4,7 @@
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 #![cfg(feature = "cli")]
 
-#[path = "support/run.rs"]
-mod run;
+use crate::run;
 
 use run::{Ran, guardbit, run_in};
 use std::fs;

@@ -1,7 +1,7 @@
 //! Every dispatched kernel against its twin, at every processor level this machine has.
 
-use crate::cases;
-use crate::events::{accumulators, read_outs};
+use crate::property::cases;
+use crate::property::events::{accumulators, read_outs};
 use guardbit::bits::Lane;
 use guardbit::dda::{Edges, Processor, count_inside, row_inside, row_values, twin, walk_checksum};
 use guardbit::format::ReadOut;

@@ -2,8 +2,7 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "support/run.rs"]
-mod run;
+use crate::run;
 
 use guardbit::bits::Rounding;
 use guardbit::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};

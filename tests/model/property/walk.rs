@@ -1,8 +1,8 @@
 //! The edge walk against its clauses in exact rationals, and against exact coverage.
 
 use crate::oracle::covers;
-use crate::rounding::{round, roundings};
-use crate::{base, cases, draw, grids, pixels, vertex};
+use crate::property::rounding::{round, roundings};
+use crate::property::{base, cases, draw, grids, pixels, vertex};
 use guardbit::bits::Rounding;
 use guardbit::cover::FillRule;
 use guardbit::machine::EdgeWalkConfig;

@@ -1,8 +1,7 @@
 //! Toy formats, every case of them.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "oracle/cover.rs"]
-mod oracle;
+use crate::oracle;
 
 use guardbit::bits::{Bits, Event, Lane, Rounding, Width, Word};
 use guardbit::cover::{FillRule, SampleGrid};

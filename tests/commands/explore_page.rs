@@ -2,8 +2,7 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "support/run.rs"]
-mod run;
+use crate::run;
 
 use run::{guardbit, run_in};
 use serde_json::Value;

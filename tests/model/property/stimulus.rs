@@ -1,6 +1,6 @@
 //! Generated cases, made again from the text of the specification.
 
-use crate::cases;
+use crate::property::cases;
 use guardbit::case::{Words, mix64, triangle::Stimulus, walk};
 use guardbit::dda::Op;
 use guardbit::profile::load;

@@ -1,6 +1,6 @@
 //! Read-outs, their lanes, and events in closed form.
 
-use crate::cases;
+use crate::property::cases;
 use guardbit::bits::{Event, Lane, Place, SpanEvents};
 use guardbit::dda::{Line, Op, Walker, twin};
 use guardbit::format::{Clamp, ReadOut};

@@ -1,13 +1,10 @@
 //! `verify`: no change of a set goes unseen, and a device's defect is called by its name.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "support/device.rs"]
-mod device;
+use crate::device;
 #[cfg(feature = "cli")]
-#[path = "support/run.rs"]
-mod run;
-#[path = "support/set.rs"]
-mod set;
+use crate::run;
+use crate::set;
 
 use device::{Clocked, Drawer, Reader, Slip, Stepper};
 use guardbit::bits::Rounding;

@@ -1,8 +1,8 @@
 //! Setup words and depth values against exact rationals.
 
-use crate::cases;
-use crate::events::{by_definition, by_pattern, clamps};
-use crate::rounding::{round, roundings};
+use crate::property::cases;
+use crate::property::events::{by_definition, by_pattern, clamps};
+use crate::property::rounding::{round, roundings};
 use guardbit::bits::Rounding;
 use guardbit::cover::{EdgeStorage, FillRule, Rect};
 use guardbit::format::Clamp;

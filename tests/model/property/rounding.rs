@@ -1,7 +1,7 @@
 //! Roundings against exact rationals.
 
-use crate::cases;
-use crate::words::wide;
+use crate::property::cases;
+use crate::property::words::wide;
 use guardbit::bits::{Rounding, RunTime, Word};
 use guardbit::exact;
 use num_bigint::BigInt;

@@ -7,8 +7,6 @@ mod depth;
 mod events;
 mod import;
 mod kernels;
-#[path = "../oracle/cover.rs"]
-mod oracle;
 mod rounding;
 mod stimulus;
 mod walk;

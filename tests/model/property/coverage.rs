@@ -1,7 +1,7 @@
 //! Coverage of random triangles against brute force, and the promises of fill rules.
 
 use crate::oracle::{covers, polygon_covers};
-use crate::{base, cases, draw, grids, pixels, vertex};
+use crate::property::{base, cases, draw, grids, pixels, vertex};
 use guardbit::bits::SpanEvents;
 use guardbit::cover::{EdgeStorage, EdgeWordConfig, FillRule, Rect};
 use guardbit::dda::{Line, Processor, twin};

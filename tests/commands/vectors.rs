@@ -1,13 +1,10 @@
 //! What `vectors` writes, held to its spec by readers and oracles of its own.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "support/device.rs"]
-mod device;
+use crate::device;
 #[cfg(feature = "cli")]
-#[path = "support/run.rs"]
-mod run;
-#[path = "support/set.rs"]
-mod set;
+use crate::run;
+use crate::set;
 
 use device::{Reader, Stepper, walks};
 use guardbit::cover::{DepthAt, EdgeStorage, FillRule, MultisampleConfig};
@@ -779,7 +776,7 @@ fn every_column_has_a_role_and_comes_in_the_order_of_roles() {
 // Clause N-16
 #[test]
 fn the_specification_lists_every_role() {
-    let spec = include_str!("../spec/09-vectors.md");
+    let spec = include_str!("../../spec/09-vectors.md");
     let (_, clause) = spec.split_once("### N-16 ").unwrap();
     let clause = clause.split("\n### ").next().unwrap();
     let rows: Vec<&str> = clause.lines().filter(|line| line.starts_with("| `")).collect();

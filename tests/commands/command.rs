@@ -2,10 +2,8 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "support/run.rs"]
-mod run;
-#[path = "support/set.rs"]
-mod set;
+use crate::run;
+use crate::set;
 
 use run::{Ran, guardbit, run_in};
 use set::{copy, options, profile, tree, write_set};

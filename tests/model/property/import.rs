@@ -1,7 +1,7 @@
 //! Snapping against exact decimal expansions.
 
-use crate::cases;
-use crate::rounding::{round, roundings};
+use crate::property::cases;
+use crate::property::rounding::{round, roundings};
 use guardbit::bits::Rounding;
 use guardbit::setup::{
     Coordinate, Endless, Source, VertexConfig, VertexError, snap_f64, snap_fixed,

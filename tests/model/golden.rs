@@ -2,10 +2,8 @@
 #![cfg(feature = "cli")]
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "support/run.rs"]
-mod run;
-#[path = "support/set.rs"]
-mod set;
+use crate::run;
+use crate::set;
 
 use guardbit::model::MODEL_VERSION;
 use guardbit::vector::bench::Source;

@@ -2,17 +2,11 @@
 //! clauses; and the built-in profiles of real ones.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "rasterizers/anchored.rs"]
 mod anchored;
-#[path = "rasterizers/channel.rs"]
 mod channel;
-#[path = "rasterizers/profiles.rs"]
 mod profiles;
-#[path = "rasterizers/quads.rs"]
 mod quads;
-#[path = "rasterizers/slopes.rs"]
 mod slopes;
-#[path = "rasterizers/sub_scanlines.rs"]
 mod sub_scanlines;
 
 use guardbit::model::{Model, Records};

@@ -1,0 +1,25 @@
+//! The command and the texts around it: every subcommand as a process, the specification, the shape of the
+//! sources. One binary, as `model`.
+
+#[path = "../support/device.rs"]
+mod device;
+#[path = "../support/run.rs"]
+mod run;
+#[path = "../support/set.rs"]
+mod set;
+
+mod claims;
+mod cli;
+mod command;
+mod compare;
+mod explore;
+mod explore_page;
+mod fit;
+mod layering;
+mod machine_list;
+mod profile;
+mod prove;
+mod resume;
+mod spec;
+mod vectors;
+mod verify;

@@ -1,0 +1,27 @@
+//! The library: arithmetic, machines, measures, committed sets. One binary, so that the library is linked
+//! once and both cores have work.
+
+#[path = "../oracle/cover.rs"]
+mod oracle;
+#[path = "../support/run.rs"]
+mod run;
+#[path = "../support/set.rs"]
+mod set;
+
+mod accuracy;
+mod depth_format;
+mod exact;
+mod exhaustive;
+mod extremes;
+mod fuzz;
+mod golden;
+mod interpolation;
+mod lines;
+mod machine_vectors;
+mod machines;
+mod multisample;
+mod polygons;
+mod property;
+mod rasterizers;
+mod require;
+mod snapshot;
