@@ -41,11 +41,17 @@
 //!
 //! The specification in `spec/` is normative; documentation cites its clauses as `G-2`.
 
+#![cfg_attr(
+    not(feature = "verification"),
+    allow(dead_code, reason = "the floors above drawing use what drawing alone does not")
+)]
+
 // The command's files name the library as any other program does.
 #[cfg(feature = "cli")]
 extern crate self as guardbit;
 
 pub mod bits;
+#[cfg(feature = "verification")]
 pub mod case;
 #[cfg(feature = "cli")]
 #[allow(
@@ -57,15 +63,18 @@ pub mod cli;
 pub mod cover;
 pub mod dda;
 pub mod exact;
+#[cfg(feature = "verification")]
 pub mod explore;
 pub mod format;
 pub mod machine;
+#[cfg(feature = "verification")]
 pub mod measure;
 pub mod model;
 pub mod profile;
 pub mod scene;
 pub mod setup;
 pub mod value;
+#[cfg(feature = "verification")]
 pub mod vector;
 
 /// The Rust examples of the specification, run as documentation tests.

@@ -18,6 +18,7 @@ use crate::cover::{
 use crate::format::ReadOutError;
 use crate::setup::{VertexConfig, VertexError};
 use crate::value::{DepthConfig, DepthError};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -25,7 +26,8 @@ use serde::{Deserialize, Serialize};
 pub const SCHEMA: u32 = 1;
 
 /// A rasterizer, described.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Profile {
     /// Schema version, 1.
@@ -62,7 +64,8 @@ pub struct Profile {
 }
 
 /// Window size in pixels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct WindowConfig {
     /// Columns.
@@ -212,13 +215,14 @@ impl Profile {
 
     /// The profile as TOML, a fixed point of [`parse`].
     pub fn to_toml(&self) -> String {
-        // Serialising plain tables of strings and integers has no way to fail.
-        toml::to_string(self).unwrap_or_default()
+        toml::to_string(self)
+            .unwrap_or_else(|error| unreachable!("tables of strings and integers: {error}"))
     }
 }
 
 /// The JSON schema of profile files.
+#[cfg(feature = "verification")]
 pub fn schema() -> String {
     let schema = schemars::schema_for!(Profile);
-    serde_json::to_string_pretty(&schema).unwrap_or_default() + "\n"
+    serde_json::to_string_pretty(&schema).unwrap_or_else(|error| unreachable!("{error}")) + "\n"
 }

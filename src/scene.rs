@@ -12,6 +12,7 @@
 pub mod builtin;
 pub mod camera;
 mod lens;
+#[cfg(feature = "verification")]
 pub mod lines;
 pub mod mesh;
 mod primitive;
@@ -21,6 +22,7 @@ use std::path::Path;
 
 pub use builtin::builtin_names;
 pub use lens::Lens;
+#[cfg(feature = "verification")]
 use lines::LineError;
 use mesh::MeshError;
 pub use primitive::Primitive;
@@ -147,7 +149,17 @@ pub enum SceneError {
         /// Line of the first byte that is not UTF-8, from 1.
         line: usize,
     },
+    /// JSON Lines, in a build that does not read them.
+    #[cfg(not(feature = "verification"))]
+    #[error(
+        "{path}: this build reads .obj meshes; build with the feature `verification` for JSON Lines"
+    )]
+    NoLines {
+        /// The path as it was given.
+        path: String,
+    },
     /// A line of a JSON Lines file is wrong.
+    #[cfg(feature = "verification")]
     #[error("{path}: line {line}: {source}")]
     Line {
         /// The path as it was given.
@@ -189,26 +201,37 @@ pub fn load(source: &str, viewport: &Viewport) -> Result<Scene, SceneError> {
     }
     let path = || source.to_owned();
     let bytes = read(source)?;
-    let (triangles, dropped, lens) =
-        if has_extension(source, &["obj"]) {
-            // Comments and material names may be in any encoding; numbers never are.
-            let seen = mesh::parse(&String::from_utf8_lossy(&bytes))
-                .and_then(|mesh| camera::view(&mesh, viewport).ok_or(MeshError::NoExtent))
-                .map_err(|source| SceneError::Mesh { path: path(), source })?;
-            (seen.triangles, seen.dropped, Some(seen.lens))
-        } else {
-            let text = std::str::from_utf8(&bytes).map_err(|error| SceneError::Encoding {
-                path: path(),
-                line: 1 + bytes.iter().take(error.valid_up_to()).filter(|&&b| b == b'\n').count(),
-            })?;
-            let triangles = lines::parse_scene(text)
-                .map_err(|(line, source)| SceneError::Line { path: path(), line, source })?;
-            (triangles, 0, None)
-        };
+    let (triangles, dropped, lens) = if has_extension(source, &["obj"]) {
+        // Comments and material names may be in any encoding; numbers never are.
+        let seen = mesh::parse(&String::from_utf8_lossy(&bytes))
+            .and_then(|mesh| camera::view(&mesh, viewport).ok_or(MeshError::NoExtent))
+            .map_err(|source| SceneError::Mesh { path: path(), source })?;
+        (seen.triangles, seen.dropped, Some(seen.lens))
+    } else {
+        let text = std::str::from_utf8(&bytes).map_err(|error| SceneError::Encoding {
+            path: path(),
+            line: 1 + bytes.iter().take(error.valid_up_to()).filter(|&&b| b == b'\n').count(),
+        })?;
+        (json_lines(text, source)?, 0, None)
+    };
     if triangles.is_empty() && dropped == 0 {
         return Err(SceneError::Empty { path: path() });
     }
     Ok(Scene { name: path(), triangles, dropped, lens })
+}
+
+#[cfg(feature = "verification")]
+fn json_lines(text: &str, path: &str) -> Result<Vec<Triangle>, SceneError> {
+    lines::parse_scene(text).map_err(|(line, source)| SceneError::Line {
+        path: path.to_owned(),
+        line,
+        source,
+    })
+}
+
+#[cfg(not(feature = "verification"))]
+fn json_lines(_: &str, path: &str) -> Result<Vec<Triangle>, SceneError> {
+    Err(SceneError::NoLines { path: path.to_owned() })
 }
 
 /// The file's bytes; a missing file whose name does not look like one is an unknown scene.

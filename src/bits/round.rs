@@ -1,5 +1,6 @@
 //! Rounding of a shift or a quotient to an integer. Spec clauses `R-1` to `R-4`.
 
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -64,7 +65,8 @@ macro_rules! roundings {
         /// assert_eq!(Rounding::Odd.shift_right(-5, 1), (-3, true));
         /// assert_eq!(Rounding::Odd.names().gappa, "od");
         /// ```
-        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+        #[cfg_attr(feature = "verification", derive(JsonSchema))]
         #[serde(rename_all = "kebab-case")]
         pub enum Rounding {
             $($(#[$meta])* $name,)*

@@ -6,11 +6,13 @@ use crate::bits::Lane;
 use crate::dda::Edges;
 use crate::format::{Clamp, QFormat, ReadOut, Unreduced};
 use crate::setup::{EdgeCoefficients, Triangle, VertexConfig, edges};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// How an edge value is kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum EdgeStorage {
     /// E plus the rule's bias, in sub-pixels squared.
@@ -21,7 +23,8 @@ pub enum EdgeStorage {
 }
 
 /// The edge words of a profile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct EdgeWordConfig {
     /// Who owns samples on an edge.

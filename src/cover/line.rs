@@ -12,11 +12,13 @@ pub use step::{Tie, bresenham, incremental, integer_incremental, midpoint, naive
 use super::rect::Rect;
 use super::sample::SampleGrid;
 use crate::bits::Rounding;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where the remainder of an integer incremental line starts.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Start {
     /// At zero: the minor coordinate is floored.
@@ -26,7 +28,8 @@ pub enum Start {
 }
 
 /// Which pixels a line is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum LineRule {
     /// Pixels whose diamond the line leaves; the diamond has its lower edges (Direct3D).
@@ -65,7 +68,8 @@ pub enum LineRule {
 }
 
 /// A pattern along a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Stipple {
     /// Sixteen pixels, the first in the lowest bit.
@@ -82,7 +86,8 @@ impl Stipple {
 }
 
 /// How lines are drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct LineConfig {
     /// Which pixels.

@@ -1,11 +1,13 @@
 //! Several samples a pixel, at the standard positions. Spec clauses `U-1` to `U-4`.
 
 use super::sample::SampleGrid;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where depth is taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum DepthAt {
     /// Once a pixel, at its centre, covered or not: outside the triangle the plane goes on.
@@ -15,7 +17,8 @@ pub enum DepthAt {
 }
 
 /// Samples of a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct MultisampleConfig {
     /// 2, 4, 8 or 16 samples at the standard positions.

@@ -1,5 +1,6 @@
 //! Half-open rectangles of pixels: windows and scissors. Spec clause `C-6`.
 
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +8,8 @@ use serde::{Deserialize, Serialize};
 const SIDE: u32 = 1 << 16;
 
 /// Pixels `[x0, x1)` by `[y0, y1)`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 pub struct Rect {
     /// First column.
     pub x0: u32,

@@ -1,10 +1,12 @@
 //! Who owns a sample that lies on an edge. Spec clauses `C-2` and `C-3`.
 
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A fill rule: exactly one of two triangles sharing an edge owns the samples on it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum FillRule {
     /// Left edges and horizontal top edges own their samples.

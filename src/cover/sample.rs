@@ -1,10 +1,12 @@
 //! Where a pixel is sampled. Spec clause `C-1`.
 
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A sample position in its pixel, in sub-pixels from the pixel's top left corner.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SampleConfig {
     /// Rightward, in sub-pixels.

@@ -5,11 +5,13 @@ mod curve;
 mod decision;
 mod sweep;
 
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where a traversal goes next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Order {
     /// Every stamp of the bounding box, row by row, left to right.
@@ -57,7 +59,8 @@ impl Order {
 }
 
 /// Pixels evaluated side by side in one step.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 pub enum Stamp {
     /// One pixel.
     #[default]
@@ -95,7 +98,8 @@ impl Stamp {
 }
 
 /// How the samples of a primitive are visited.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct TraversalConfig {
     /// The order.

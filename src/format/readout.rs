@@ -2,11 +2,13 @@
 
 use super::q::QFormat;
 use crate::bits::{Event, Lane, Status};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a read-out does with a value outside `[0, 2^i)`. Spec clause `G-2`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Clamp {
     /// No clamp: the low integer bits are the result.

@@ -15,11 +15,13 @@ use crate::dda::Processor;
 use crate::format::{ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{Division, Gradient, Plane, Triangle, VertexConfig};
 use crate::value::Depth;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The machine of `[form.barycentric]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct BarycentricConfig {
     /// Fraction bits below the pixel of the approximate edge walk; more leave fewer candidates.

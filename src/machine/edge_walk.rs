@@ -12,11 +12,13 @@ use crate::cover::SampleGrid;
 use crate::format::{Clamp, Column, ReadOut, ReadOutError, Role, Unreduced, WordFormat};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The x word of a walked edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct EdgeWalkConfig {
     /// Guard bits above the integer bits of x.

@@ -14,11 +14,13 @@ use crate::format::{Column, ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{ClipSetup, ClipTriangle, Linear, VertexConfig, linear_at};
 use crate::value::Depth;
 use descent::Descent;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The machine of `[form.homogeneous]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct HomogeneousConfig {
     /// Who owns samples on an edge.

@@ -14,16 +14,15 @@ macro_rules! machines {
         /// The machine of a profile.
         ///
         /// What a machine does is asked through [`Rasterizer`], which a form dereferences to.
-        #[derive(Clone, Debug, PartialEq, Eq, schemars::JsonSchema)]
-        #[schemars(
-            rename_all = "kebab-case",
+        #[derive(Clone, Debug, PartialEq, Eq)]
+        #[cfg_attr(feature = "verification", derive(schemars::JsonSchema))]
+        #[cfg_attr(feature = "verification", schemars(rename_all = "kebab-case",
             deny_unknown_fields,
-            description = "The machine of a profile."
-        )]
+            description = "The machine of a profile."))]
         pub enum Form {
             $($(#[$doc])* $variant($config),)*
             /// A machine that is not built in.
-            #[schemars(skip)]
+            #[cfg_attr(feature = "verification", schemars(skip))]
             Own(OwnForm),
         }
 

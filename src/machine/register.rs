@@ -26,11 +26,13 @@ use crate::value::{Channel, ChannelConfig};
 use engine::{Built, Engine};
 pub(super) use form::KIND;
 use input::Inputs;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The machine of `[form.registers]`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct RegisterConfig {
     /// The radix in which words are given, 10 or 16.
@@ -47,7 +49,8 @@ pub struct RegisterConfig {
 }
 
 /// One kind of record.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct RecordConfig {
     /// The letter that its lines begin with.

@@ -11,11 +11,13 @@ use crate::cover::{FillRule, fits_narrow, polygon, scan};
 use crate::format::{Role, Unreduced, WordFormat};
 use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The machine of `[form.scanline]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct ScanlineConfig {
     /// Who owns samples on an edge.

@@ -13,11 +13,13 @@ use crate::cover::{EdgeWordConfig, EdgeWordError, EdgeWords, for_each_run};
 use crate::dda::{Edges, Processor, row_inside};
 use crate::setup::VertexConfig;
 use crate::value::Depth;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The machine of `[form.tiles]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct TilesConfig {
     /// Side of a tile in pixels, a power of two.

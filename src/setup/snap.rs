@@ -3,11 +3,13 @@
 
 use crate::bits::Rounding;
 use crate::format::Fixed;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// The floating-point type a vertex arrives in.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Source {
     /// IEEE binary32: numbers are rounded to it, nearest even, before snapping.
@@ -18,7 +20,8 @@ pub enum Source {
 
 /// What a real number without a place on any grid becomes: an infinity, a number beyond 2^126
 /// sub-pixels, a NaN. A finite number outside the field is refused whatever is chosen here.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Endless {
     /// The triangle is refused; so is one with a NaN.
@@ -28,7 +31,8 @@ pub enum Endless {
 }
 
 /// The vertex field of a profile.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct VertexConfig {
     /// Integer bits of x and y, the sign included when signed.

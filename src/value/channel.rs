@@ -1,11 +1,13 @@
 //! Interpolated values whose starts and slopes come from registers. Spec clause `RG-20`.
 
 use crate::format::{Clamp, ReadOut, ReadOutError};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What lies above a register's own bits once it is in an accumulator.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Extension {
     /// Copies of its sign.
@@ -16,7 +18,8 @@ pub enum Extension {
 }
 
 /// Channels that share one shape.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct ChannelConfig {
     /// Their names, as registers and records know them.

@@ -6,11 +6,13 @@ use crate::cover::SampleGrid;
 use crate::dda::{Line, Processor, Walker, row_values};
 use crate::format::{Clamp, Decode, ReadOut, ReadOutError, Unreduced};
 use crate::setup::{Division, DivisionError, Gradient, Plane, Triangle, VertexConfig};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What is added to the start of the plane, so that the floor of the read-out rounds.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum StartBias {
     /// Nothing: the read-out truncates.
@@ -21,7 +23,8 @@ pub enum StartBias {
 }
 
 /// A depth plane budget.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct DepthConfig {
     /// Guard bits above the integer bits.

@@ -2,12 +2,14 @@
 //! Spec clauses `Z-1` to `Z-5`.
 
 use crate::bits::Rounding;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A stored depth, made from Z/w after interpolation. Z/w runs from 0 at the near plane n to 1 at the
 /// far plane f; `ratio` is f / n.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum DepthFormat {
     /// Z/w as an unsigned normalised integer: the Z-buffer of SGI and OpenGL.

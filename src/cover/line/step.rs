@@ -3,11 +3,13 @@
 use super::Start;
 use crate::bits::Rounding;
 use crate::cover::rect::Rect;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where a line that passes through a midpoint goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Tie {
     /// Along the major axis.

@@ -8,6 +8,7 @@ use crate::machine::{
     Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
     Rasterizer, Site, Step, Steps, Traversed, Word, edge_words, plane_bound,
 };
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::{Deref, DerefMut};
@@ -24,7 +25,8 @@ pub(crate) const KIND: Kind = Kind {
 };
 
 /// The machine of `[form.edge-function]`: its edge words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(transparent)]
 pub struct EdgeFunctionConfig(pub EdgeWordConfig);
 

@@ -9,6 +9,7 @@ use crate::machine::{
     RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
 };
 use num_traits::Signed;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::ops::{Deref, DerefMut};
@@ -25,7 +26,8 @@ pub(crate) const KIND: Kind = Kind {
 };
 
 /// The machine of `[form.gouraud]`: the x word of its edges.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(transparent)]
 pub struct GouraudConfig(pub EdgeWalkConfig);
 

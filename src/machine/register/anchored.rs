@@ -10,12 +10,14 @@ use crate::format::Gather;
 use crate::machine::Target;
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::Channel;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Which vertex the planes go through: the leftmost, the last of several in the order looked at but for
 /// the first two.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Anchor {
     /// Looked for among the vertices as they came.
@@ -25,7 +27,8 @@ pub enum Anchor {
 }
 
 /// Which half of a triangle is drawn first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum HalfOrder {
     /// The lower one, unless the anchor is the top vertex.
@@ -35,7 +38,8 @@ pub enum HalfOrder {
 }
 
 /// The longest edge that is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Largest {
     /// |dx|, in pixels.
@@ -45,7 +49,8 @@ pub struct Largest {
 }
 
 /// The engine of `[form.registers.engine.anchored]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct AnchoredConfig {
     /// Which vertex the planes go through.

@@ -4,6 +4,7 @@ use super::input::{Inputs, RegisterError};
 use crate::machine::{Step, Target, Word};
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::Channel;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -43,7 +44,8 @@ pub(super) trait EngineForm {
 macro_rules! engines {
     ($($(#[$doc:meta])* $variant:ident($config:ty);)*) => {
         /// How registers become fragments.
-        #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+        #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+        #[cfg_attr(feature = "verification", derive(JsonSchema))]
         #[serde(rename_all = "kebab-case", deny_unknown_fields)]
         pub enum EngineConfig {
             $($(#[$doc])* $variant($config),)*

@@ -12,11 +12,13 @@ use crate::machine::Target;
 use crate::setup::VertexConfig;
 use crate::value::Channel;
 use engine::Quads;
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where edge functions come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
 pub enum QuadEdges {
     /// Registers hold a, b and c of each, in pixels from the tile's origin.
@@ -29,7 +31,8 @@ pub enum QuadEdges {
 }
 
 /// Who owns what lies on an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum QuadRule {
     /// Both sides: E >= 0.
@@ -40,7 +43,8 @@ pub enum QuadRule {
 }
 
 /// What a record holds.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Emit {
     /// Each covered pixel.
@@ -50,7 +54,8 @@ pub enum Emit {
 }
 
 /// Tiles that are halved until a block is left.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct Descent {
     /// Pixels on a side of a tile, a power of two.
@@ -60,7 +65,8 @@ pub struct Descent {
 }
 
 /// The engine of `[form.registers.engine.quads]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct QuadConfig {
     /// Where edge functions come from.

@@ -12,11 +12,13 @@ use crate::machine::Target;
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, Extension, w_float};
 use edge::{EdgeInput, Walk};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Where slopes of edges come from. x is kept in words of 32 bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
 pub enum SlopeEdges {
     /// Divided from vertices, toward zero; x is evaluated anew at the centre of each row.
@@ -36,7 +38,8 @@ pub enum SlopeEdges {
 }
 
 /// Which row comes next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum RowOrder {
     /// The one below.
@@ -46,7 +49,8 @@ pub enum RowOrder {
 }
 
 /// Where channels start.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", rename_all_fields = "kebab-case", deny_unknown_fields)]
 pub enum Plane {
     /// At the pixel of the first vertex: a row begins `dx` for each column and `dy` for each row from it.
@@ -59,7 +63,8 @@ pub enum Plane {
 }
 
 /// What the clip rectangle's ends are.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum ClipEnds {
     /// The right and lower end are outside.
@@ -69,7 +74,8 @@ pub enum ClipEnds {
 }
 
 /// Depth from one of two channels: the component of spec clause `RG-14`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct DepthChoice {
     /// The channel that is read as an integer.
@@ -79,7 +85,8 @@ pub struct DepthChoice {
 }
 
 /// The engine of `[form.registers.engine.slopes]`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SlopeConfig {
     /// Where slopes come from.

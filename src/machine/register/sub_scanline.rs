@@ -11,12 +11,14 @@ use crate::format::Gather;
 use crate::machine::Target;
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, slope_code};
+#[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use span::{Line, Span};
 
 /// What a product of a slope and a distance keeps of its bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum Product {
     /// The low ones: it wraps.
@@ -26,7 +28,8 @@ pub enum Product {
 }
 
 /// The engine of `[form.registers.engine.sub-scanlines]`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct SubScanlineConfig {
     /// What a product of a slope and a distance keeps of its bits.
