@@ -44,7 +44,7 @@ fn main() {
     let trials = vec![
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
-        VERILATOR.trial("verilator_runs_a_million_vectors", bench::verilator),
+        VERILATOR.soak_trial("verilator_runs_a_million_vectors", bench::verilator),
         GHDL.trial("ghdl_runs_the_walks", bench::ghdl),
         ICARUS.trial("icarus_refuses_spoiled_files", spoiled::icarus),
         VERILATOR.trial("verilator_refuses_spoiled_files", spoiled::verilator),
@@ -56,7 +56,7 @@ fn main() {
         solver.trial("edge_words_fit_as_proved", formal::edges_fit),
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
         ICARUS.trial("the_readmes_buggy_adder_is_named", readme::buggy_adder),
-        ICARUS.trial("mutants_are_caught_and_named", mutant::caught_and_named),
+        ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

@@ -100,6 +100,7 @@ fn first_line(a: &[u8], b: &[u8]) -> u64 {
 
 // Clause N-12 and Clause N-9
 #[test]
+#[ignore = "soak tier: cargo test -- --include-ignored"]
 fn every_single_change_is_caught_and_its_place_named() {
     let golden = write_set(&profile("tiny"), "triangle", &options(400));
     assert_eq!(complaint(&golden.folder()), None);

@@ -197,7 +197,7 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
         }
     }
     let mut text = format!(
-        "# Which class of tests catches which defect\n\nWritten by `GUARDBIT_WRITE=1 cargo test --test hdl mutant` \
+        "# Which class of tests catches which defect\n\nWritten by `GUARDBIT_WRITE=1 cargo test --test hdl mutant -- --ignored` \
          and compared by it. {right} of {live} causes named, {} mutants.\n\n| class of tests | defects \
          |\n| --- | --- |\n",
         fates.len()

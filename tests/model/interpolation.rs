@@ -54,6 +54,7 @@ fn the_screen_midpoint_reads_a_quarter() {
 
 /// Clauses I-2, I-3 and I-4: the stated bounds hold for random triangles and w, near and far.
 #[test]
+#[ignore = "soak tier: cargo test -- --include-ignored"]
 fn errors_stay_within_their_bounds() {
     let mut closest = [0.0f64; 5];
     let mut seen = 0;

@@ -31,6 +31,7 @@ fn hits(shape: &[[i128; 2]], rule: FillRule) -> [u32; 36] {
 /// Clauses Y-1 and Y-2: parity, by the triangles that a fan around any point makes of a polygon: a
 /// sample is inside when an odd number of them cover it, whatever their shape.
 #[test]
+#[ignore = "soak tier: cargo test -- --include-ignored"]
 fn parity_is_that_of_the_triangles_of_a_fan() {
     let mut inside = 0;
     for index in 0..3000 {

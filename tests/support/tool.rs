@@ -66,6 +66,12 @@ impl Tool {
         })
     }
 
+    /// A trial of the soak tier: it counts as ignored, and says so, unless it is asked for.
+    pub(crate) fn soak_trial(&self, name: &str, test: fn(&str)) -> Trial {
+        let name = format!("{name} (soak tier: cargo test -- --include-ignored)");
+        self.trial(&name, test).with_ignored_flag(true)
+    }
+
     /// A trial that is run with the tool's program.
     pub(crate) fn trial(&self, name: &str, test: fn(&str)) -> Trial {
         let Some(program) = self.program() else {
