@@ -1,6 +1,7 @@
 //! Questions asked of the model: which known facts hold, what each bit buys, and how few are
 //! enough.
 
+#[cfg(feature = "laboratory")]
 pub mod claims;
 mod clock;
 mod corner;

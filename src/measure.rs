@@ -6,9 +6,11 @@ pub mod budget;
 pub mod comparison;
 pub mod cost;
 pub mod error;
+#[cfg(feature = "laboratory")]
 pub mod experiment;
 pub mod gallery;
 pub mod interpolation;
 pub mod require;
 pub mod resolution;
+#[cfg(feature = "laboratory")]
 pub mod speed;
