@@ -257,7 +257,7 @@ fn differences_are_named_and_end_with_status_1() {
     std::fs::write(&path, text.trim_end()).unwrap();
     let ran = run_in(home.path(), "diff a c").ends(1);
     assert!(ran.out.contains("without a line's end"), "{}", ran.out);
-    run_in(home.path(), "diff a tiny").complains(2, &["one side is the folder of a set"]);
+    run_in(home.path(), "diff a tiny").complains(2, &["one input is the folder of a set and the other is not"]);
     run_in(home.path(), "diff none tiny").complains(2, &["no profile \"none\""]);
     std::fs::create_dir(home.path().join("empty")).unwrap();
     run_in(home.path(), "diff a empty").complains(2, &["empty", "manifest.json"]);
@@ -278,7 +278,7 @@ fn reports_keep_their_keys() {
     assert_eq!(one.out, ran.out, "threads do not show");
     let text = run_in(home.path(), "claims --only edge.width").ends(0).out;
     assert!(text.ends_with(", 0 unmet\n") && text.contains("good   edge.width."), "{text}");
-    run_in(home.path(), "claims --only none").complains(2, &["no claim's id begins so"]);
+    run_in(home.path(), "claims --only none").complains(2, &["the id of no claim begins with this text"]);
 
     for name in ["tiny", "sgi-4k", "sgi-4k-walk", "d3d11"] {
         let report = json(&run_in(home.path(), &format!("budget {name} --json")).ends(0));

@@ -188,7 +188,7 @@ fn nonsense_is_refused_with_what_to_do() {
         (&["--machines", "pineda"][..], 2, "edge-function"),
         (&["--stamp", "3x3"], 2, "1x1"),
         (&["--scene", "nothing"], 2, "knot"),
-        (&["--scene", outside, "--no-time"], 2, "nothing left to draw"),
+        (&["--scene", outside, "--no-time"], 2, "no triangle can be drawn"),
         (&["--scene", outside, "--no-time"], 2, "1 triangles left out"),
         (&["--window", "0x5"], 2, "1 to 65536"),
         (&["--show", "traversal", "--svg", "x.svg"], 2, "machines"),
@@ -243,7 +243,7 @@ fn machines_orders_and_formats_are_axes_of_explore() {
     assert!(ties.len() == 6 && ties[0] > 10 && ties.iter().any(|t| t != &ties[0]), "{ties:?}");
     let ran = guardbit(&["fit", "--scene", "terrain", "--vary", "form=tiles,gouraud"]);
     assert_eq!(ran.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&ran.stderr).contains("explore measures every machine"));
+    assert!(String::from_utf8_lossy(&ran.stderr).contains("use `guardbit explore`: it measures every machine"));
 }
 
 /// Clause RG-22: a square cut along the diagonal that its pixels' samples lie on: four pixels are hit twice by

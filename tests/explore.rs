@@ -174,7 +174,7 @@ fn a_fit_has_its_budget_cost_and_witnesses() {
 fn a_fitted_profile_is_one_to_go_on_with() {
     let home = home();
     let text = run_in(home.path(), &format!("{FIT} --profile-out fitted.toml")).ends(0).out;
-    assert!(text.contains("one bit less:") && text.contains("fails: depth-worst"), "{text}");
+    assert!(text.contains("one bit fewer:") && text.contains("fails: depth-worst"), "{text}");
     assert!(text.contains("answer    the cheapest"), "{text}");
     let budget = json(&run_in(home.path(), "budget fitted.toml --json").ends(0));
     assert_eq!(budget["profile"], "sgi-4k-fit");
@@ -243,8 +243,8 @@ fn what_cannot_be_searched_is_said_with_the_nearest_that_can() {
     // Out of reach: the least that is possible, and where; allowed exactly that much, it is met.
     let fit = "fit tiny --scene triangle --vary interpolation=0..2 --within";
     let ran = run_in(home.path(), &format!("{fit} depth-worst=0.001"))
-        .complains(2, &["depth-worst <= 0.001: the least is", "interpolation=2"]);
-    let least = ran.err.split("the least is ").nth(1).unwrap().split_whitespace().next().unwrap();
+        .complains(2, &["depth-worst <= 0.001: the smallest value in the space is", "interpolation=2"]);
+    let least = ran.err.split("the smallest value in the space is ").nth(1).unwrap().split_whitespace().next().unwrap();
     run_in(home.path(), &format!("{fit} depth-worst={least}")).ends(0);
 }
 
@@ -281,7 +281,7 @@ fn an_answer_that_draws_nothing_is_no_answer() {
     let named = format!("{space} --within depth-worst=2 --json");
     assert_eq!(json(&run_in(home.path(), &named).ends(0))["within"]["misclassified"]["limit"], 0.0);
     let none = run_in(home.path(), "fit tiny --scene far.jsonl --vary interpolation=0..3");
-    none.complains(2, &["snap-refused <= 0: the least is 1"]);
+    none.complains(2, &["snap-refused <= 0: the smallest value in the space is 1"]);
     let flat = run_in(home.path(), "fit tiny --scene flat.jsonl --vary interpolation=0..3").ends(0);
     assert!(
         flat.err.contains("note: depth-worst <= 0.5 holds for want of a figure"),

@@ -342,7 +342,7 @@ fn a_machine_of_ones_own_has_the_whole_command() {
     let compared =
         good(&run("compare own.toml --scene fan --machines conservative,scanline --no-time"));
     assert!(
-        compared.contains("no bound is stated, so none is checked: conservative"),
+        compared.contains("these machines state no bound, so no bound is checked: conservative"),
         "{compared}"
     );
     let compared = good(&run(

@@ -609,7 +609,7 @@ fn provers_agree_disagree_are_missing_or_are_stopped() {
     let begun = std::time::Instant::now();
     let slow = ("z3", "exec 0<&- ; while :; do :; done");
     let ran = check_with(&[slow], &format!("{one} --limit 1")).ends(1);
-    assert!(ran.out.contains("STOPPED at its limit"), "{}", ran.out);
+    assert!(ran.out.contains("STOPPED at the time limit"), "{}", ran.out);
     assert!(begun.elapsed() < std::time::Duration::from_secs(20));
     let ran = check_with(&[honest], &format!("{one} --json")).ends(0);
     let checks = json(&ran)["checks"].clone();

@@ -142,7 +142,7 @@ fn a_part_without_a_budget_is_no_failure() {
     let (mut empty, mut shared) = (0, 0);
     for part in 0..20 {
         let ran = run_in(home, &format!("{TOY} --shard {part}/20 --save part-{part}")).ends(0);
-        if ran.err.contains("note: no number of this part is a budget") {
+        if ran.err.contains("note: this part of the space contains no valid budget") {
             assert_eq!(ran.out, "");
             empty += 1;
         } else {
