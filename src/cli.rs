@@ -117,8 +117,9 @@ fn takes_primitives(profile: &guardbit::profile::Profile) -> Result<(), failure:
         return Ok(());
     }
     let name = &profile.name;
-    let message =
-        format!("{name} is a register-level machine: its widths are fixed by the hardware and cannot be varied");
+    let message = format!(
+        "{name} is a register-level machine: its widths are fixed by the hardware and cannot be varied"
+    );
     let hint = "`guardbit compare --profiles` compares such machines; spec/23-describe.md explains how to \
                 change one";
     Err(failure::Failure::input(message).hint(hint))
@@ -139,9 +140,7 @@ fn parse_rect(text: &str) -> Result<guardbit::cover::Rect, String> {
         [x0, y0, x1, y1] if x0 <= x1 && y0 <= y1 && text.split(',').count() == 4 => {
             Ok(guardbit::cover::Rect { x0, y0, x1, y1 })
         }
-        _ => {
-            Err("a rectangle is X0,Y0,X1,Y1 with X0 <= X1 and Y0 <= Y1, for example 0,0,640,480"
-                .to_owned())
-        }
+        _ => Err("a rectangle is X0,Y0,X1,Y1 with X0 <= X1 and Y0 <= Y1, for example 0,0,640,480"
+            .to_owned()),
     }
 }

@@ -528,20 +528,23 @@ fn questions_that_cannot_be_are_refused_with_the_nearest_that_can() {
         ("--window 70000x4", &["1 to 65536"]),
         (
             "--guard-band 4000000000",
-            &["guard-band = 4000000000", "> 32 bits", "most here is 2093056"],
+            &["guard-band = 4000000000", "> 32 bits", "largest possible value is 2093056"],
         ),
         ("--guard-band 2093057", &["guard-band = 2093057", "2093056"]),
-        ("--sub-pixel 40", &["sub-pixel = 40", "12 + 40 = 52 > 32", "most here is 20"]),
-        ("--sub-pixel 0", &["sub-pixel = 0 has no pixel centre"]),
-        ("--depth-bits 65", &["depth-bits = 65", "nearest possible is 61"]),
-        ("--depth-bits 0", &["depth-bits = 0", "nearest possible is 1"]),
+        ("--sub-pixel 40", &["sub-pixel = 40", "12 + 40 = 52 > 32", "largest possible value is 20"]),
+        (
+            "--sub-pixel 0",
+            &["sub-pixel = 0: a vertex grid without sub-pixels has no pixel centres"],
+        ),
+        ("--depth-bits 65", &["depth-bits = 65", "nearest possible value is 61"]),
+        ("--depth-bits 0", &["depth-bits = 0", "nearest possible value is 1"]),
         ("--claim nothing", &["--claim \"nothing\"", "edge.stored"]),
         ("--table --claim depth", &["--claim \"depth\""]),
         ("--table --window 4x4", &["cannot be used with"]),
         ("--limit 0", &["0"]),
         ("no-such-profile", &["no-such-profile"]),
         ("--smt a --gappa a", &["name the same file"]),
-        ("--claim depth.guard --gappa a", &["none of these claims"]),
+        ("--claim depth.guard --gappa a", &["Gappa cannot check any of the selected claims"]),
     ] {
         run_in(home.path(), &format!("prove {arguments}")).complains(2, about);
     }

@@ -28,7 +28,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut statements = claims::all();
     statements.retain(|statement| statement.id.starts_with(&arguments.only));
     if statements.is_empty() {
-        let message = format!("--only {:?}: the id of no claim begins with this text", arguments.only);
+        let message =
+            format!("--only {:?}: the id of no claim begins with this text", arguments.only);
         return Err(Failure::input(message).hint("`guardbit claims --json` lists every id"));
     }
     let bar = if std::io::stderr().is_terminal() {

@@ -29,10 +29,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let [a, b] = [left, right].map(check::open);
             let (a, b) = (a.map_err(check_failure)?.0, b.map_err(check_failure)?.0);
             if a.len() != b.len() {
-                let message = format!("the first folder has {} sets, the second has {}", a.len(), b.len());
-                return Err(
-                    Failure::input(message).hint("give two sets, or two folders with the same number of sets")
-                );
+                let message =
+                    format!("the first folder has {} sets, the second has {}", a.len(), b.len());
+                return Err(Failure::input(message)
+                    .hint("give two sets, or two folders with the same number of sets"));
             }
             let mut changes = Vec::new();
             for (a, b) in a.iter().zip(&b) {
@@ -48,7 +48,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         (false, false) => {
             diff::profiles(&profile::load(&arguments.left)?, &profile::load(&arguments.right)?)
         }
-        _ => return Err(Failure::input("one input is the folder of a set and the other is not: give two sets or two profiles")),
+        _ => {
+            return Err(Failure::input(
+                "one input is the folder of a set and the other is not: give two sets or two profiles",
+            ));
+        }
     };
     let mut output = Output::new();
     if arguments.json {

@@ -122,7 +122,9 @@ impl SpaceArguments {
         for source in &self.scenes {
             let scene = scene::load(source, &model.viewport())?;
             if scene.triangles.is_empty() {
-                return Err(Failure::input(format!("{source}: the scene has no triangles to measure")));
+                return Err(Failure::input(format!(
+                    "{source}: the scene has no triangles to measure"
+                )));
             }
             scenes.push(Reference::new(scene, &base));
         }
@@ -137,8 +139,9 @@ pub(crate) fn in_words_budget(name: &str, value: impl std::fmt::Display) -> Stri
 
 /// The metric of a name.
 pub(crate) fn parse_metric(name: &str) -> Result<Metric, String> {
-    Metric::find(name)
-        .ok_or_else(|| format!("there is no metric of this name; the metrics are {}", metric::names()))
+    Metric::find(name).ok_or_else(|| {
+        format!("there is no metric of this name; the metrics are {}", metric::names())
+    })
 }
 
 /// What a bare `explore` varies: bits that matter on every scene.

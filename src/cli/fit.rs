@@ -67,11 +67,15 @@ fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
         text.split_once('=').ok_or("a tolerance is METRIC=LIMIT, for example depth-worst=0.5")?;
     let metric = parse_metric(name.trim())?;
     if !metric.is_accuracy() {
-        return Err(format!("{name} is not an accuracy metric; --within needs an accuracy metric, and --cost takes a cost metric"));
+        return Err(format!(
+            "{name} is not an accuracy metric; --within needs an accuracy metric, and --cost takes a cost metric"
+        ));
     }
     match limit.trim().parse::<f64>() {
         Ok(limit) if limit >= 0.0 && limit.is_finite() => Ok(Tolerance { metric, limit }),
-        _ => Err(format!("{limit:?}: a limit is a finite number >= 0, because errors are absolute values")),
+        _ => Err(format!(
+            "{limit:?}: a limit is a finite number >= 0, because errors are absolute values"
+        )),
     }
 }
 
@@ -110,7 +114,8 @@ fn with_defaults(mut tolerances: Vec<Tolerance>) -> Vec<Tolerance> {
 /// Refuses an answer about nothing, and says which tolerance has no figure to hold.
 fn look_for_nothing(best: &Best, tolerances: &[Tolerance]) -> Result<(), Failure> {
     if best.accuracy.samples == 0 {
-        let message = "the scenes cover no sample of the window, so every budget meets the tolerances";
+        let message =
+            "the scenes cover no sample of the window, so every budget meets the tolerances";
         return Err(Failure::input(message).hint("choose another --scene or --window"));
     }
     for Tolerance { metric, limit } in tolerances {
@@ -135,8 +140,11 @@ fn refuse_own_depth(sweep: &guardbit::explore::sweep::Sweep) -> Result<(), Failu
     });
     match own {
         Some(name) => {
-            let message = format!("form = {name}: this machine does not walk a depth plane, but the proofs of fit are about planes");
-            Err(Failure::input(message).hint("use `guardbit explore`: it measures every machine, budget by budget"))
+            let message = format!(
+                "form = {name}: this machine does not walk a depth plane, but the proofs of fit are about planes"
+            );
+            Err(Failure::input(message)
+                .hint("use `guardbit explore`: it measures every machine, budget by budget"))
         }
         None => Ok(()),
     }
@@ -147,7 +155,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return columns_help();
     }
     if !arguments.cost.is_cost() {
-        let message = format!("--cost {}: this metric is not a cost that follows from the bit widths alone", arguments.cost.name);
+        let message = format!(
+            "--cost {}: this metric is not a cost that follows from the bit widths alone",
+            arguments.cost.name
+        );
         return Err(Failure::input(message).hint("the costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits and setup-bits"));
     }
     let sweep = arguments.space.sweep(default_axes)?;
@@ -233,12 +244,19 @@ fn impossible(least: &[Least]) -> Failure {
             .iter()
             .map(|l| format!("{} {} at {}", l.metric.name, l.value, named(&l.budget)))
             .collect();
-        return Failure::input(message)
-            .hint(&format!("the smallest value of each: {}; search a larger space with --vary", each.join("; ")));
+        return Failure::input(message).hint(&format!(
+            "the smallest value of each: {}; search a larger space with --vary",
+            each.join("; ")
+        ));
     };
     let all: Vec<String> = out_of_reach
         .iter()
-        .map(|l| format!("{} <= {}: the smallest value in the space is {}", l.metric.name, l.limit, l.value))
+        .map(|l| {
+            format!(
+                "{} <= {}: the smallest value in the space is {}",
+                l.metric.name, l.limit, l.value
+            )
+        })
         .collect();
     Failure::input(format!("no budget of this space meets {}", all.join("; "))).hint(&format!(
         "the smallest {} is at {}; raise the limit, or search a larger space with --vary",

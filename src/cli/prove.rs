@@ -122,7 +122,8 @@ fn ask(arguments: &Arguments) -> Result<(String, Vec<Proof>), Failure> {
     names.dedup();
     proofs.retain(|proof| proof.claim.starts_with(&arguments.claim));
     if proofs.is_empty() {
-        let message = format!("--claim {:?}: the name of no claim begins with this text", arguments.claim);
+        let message =
+            format!("--claim {:?}: the name of no claim begins with this text", arguments.claim);
         return Err(Failure::input(message).hint(&format!("the claims are {}", names.join(", "))));
     }
     Ok((about, proofs))
@@ -230,11 +231,12 @@ fn print_table(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
         "row", "claim", "bits", "counterexample for one bit fewer, in sub-pixels"
     ))?;
     for proof in proofs {
-        let fewer = proof.witness.as_ref().map_or("no counterexample known".to_owned(), |witness| {
-            let sample = witness.sample.unwrap_or_default();
-            let [from, to] = witness.edge.unwrap_or_default();
-            format!("edge {from:?} to {to:?} at {sample:?}: {}", witness.got)
-        });
+        let fewer =
+            proof.witness.as_ref().map_or("no counterexample known".to_owned(), |witness| {
+                let sample = witness.sample.unwrap_or_default();
+                let [from, to] = witness.edge.unwrap_or_default();
+                format!("edge {from:?} to {to:?} at {sample:?}: {}", witness.got)
+            });
         let row = proof.row.as_deref().unwrap_or_default();
         let bits = proof.bits.map_or("none".to_owned(), |bits| bits.to_string());
         output.line(format!("{row:<16} {:<12} {bits:>4}  {fewer}", proof.claim))?;

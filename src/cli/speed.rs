@@ -44,8 +44,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let only = &arguments.only[..];
     let sections = if only.is_empty() { &Section::ALL[..] } else { only };
     if arguments.svg.is_some() && !sections.contains(&Section::Trade) {
-        return Err(Failure::input("--svg draws the section trade, but --only does not select this section")
-            .hint("add trade to --only"));
+        return Err(Failure::input(
+            "--svg draws the section trade, but --only does not select this section",
+        )
+        .hint("add trade to --only"));
     }
     let report = speed::measure(usize::from(arguments.repeats), sections);
     if let Some(path) = &arguments.svg {
@@ -181,17 +183,17 @@ fn chart(rows: &[TradeRow]) -> Chart {
         }
     }
     Chart {
-        title: "Depth walk: time against error, by interpolation bits".to_owned(),
-        x_label: "largest error over a 1024 x 512 window, ULP".to_owned(),
-        y_label: "time a sample, ratio to a plain 39-bit loop".to_owned(),
+        title: "Depth walk: time against error for each number of interpolation bits".to_owned(),
+        x_label: "largest error in a 1024 x 512 window, ULP".to_owned(),
+        y_label: "time per sample, as a ratio to a plain 39-bit loop".to_owned(),
         log_x: true,
         log_y: true,
         series,
         line: true,
-        caption: "Numbers at the points are interpolation bits below 2 guard and 24 depth bits; \
-                  each colour is the narrowest machine integer that holds the word. Times are \
-                  medians of interleaved pairs on one thread of this machine; errors are measured \
-                  against the exact plane. Lower and further left is better."
+        caption: "The number at each point is the number of interpolation bits, next to 2 guard bits and \
+                  24 depth bits. The colour is the narrowest integer type that holds the word. Times \
+                  are medians of interleaved pairs on one thread of this computer. Errors are \
+                  measured against the exact plane. Points further down and further left are better."
             .to_owned(),
     }
 }

@@ -256,8 +256,10 @@ fn print_test(request: &SetRequest, options: &Options, id: &str) -> Result<Outco
     let specs = emit::files(&**bench, options.format);
     if specs.is_empty() || options.format == RowFormat::Bin {
         let format = options.format.extension();
-        return Err(Failure::input(format!("--format {format}: this format has no text lines to print for {id}"))
-            .hint("choose a text format, for example --format tv"));
+        return Err(Failure::input(format!(
+            "--format {format}: this format has no text lines to print for {id}"
+        ))
+        .hint("choose a text format, for example --format tv"));
     }
     let mut output = Output::new();
     for (spec, lines) in emit::test_lines(&**bench, at, options.format) {

@@ -106,7 +106,8 @@ fn compare(
     let (rows, expected) = (report.rows, report.expected_rows);
     output.line(format!("FAIL: {} mismatches in {rows} rows of {expected}", report.total))?;
     if report.short {
-        output.line("the dump has fewer rows than the set: check if the simulation stopped early")?;
+        output
+            .line("the dump has fewer rows than the set: check if the simulation stopped early")?;
     }
     if let Some(line) = report.cut {
         output.line(format!(

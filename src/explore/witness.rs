@@ -119,7 +119,9 @@ fn words(place: Place, metric: &str) -> String {
         What::Ulp(ulp) => format!("{value} {moved} by {ulp:+.4} ULP"),
         What::Event(Event::Wrap) => "depth leaves the guard range".to_owned(),
         What::Event(_) => "depth is clamped to an end of its range".to_owned(),
-        What::Order(Ordering::Equal, other) => format!("its depth becomes equal to that of triangle {other}"),
+        What::Order(Ordering::Equal, other) => {
+            format!("its depth becomes equal to that of triangle {other}")
+        }
         What::Order(_, other) => format!("its depth order with triangle {other} is reversed"),
     }
 }

@@ -91,10 +91,15 @@ fn what_has_no_meaning_is_refused() {
         ("vortex", "block = 4", "block = 64", "2 <= block <= tile <= 1024"),
         ("psp", "width = 32", "width = 40", "an edge word has 2 to 32 bits"),
         ("psp", "\"x0:16\"", "\"x9:16\"", "needs a register \"x0\""),
-        ("psp", "\"e2\"", "\"e3\"", "there is no \"e3\"; this record has x, y, e0, e1, e2"),
+        (
+            "psp",
+            "\"e2\"",
+            "\"e3\"",
+            "there is no value \"e3\"; the values of this record are x, y, e0, e1, e2",
+        ),
         ("ps1", "sub-pixel = 0", "sub-pixel = 2", "planes are anchored at whole pixels"),
         ("ps1", "\"left:11\"", "\"left:11 upper:3@11\"", "has no register \"upper\""),
-        ("ps1", "clamp = \"wrap\"", "clamp = \"saturate\"", "no state to stick"),
+        ("ps1", "clamp = \"wrap\"", "clamp = \"saturate\"", "cannot saturate its accumulator"),
         ("voodoo", "\"adjust\"", "\"-\"", ""),
         (
             "voodoo",
@@ -108,7 +113,7 @@ fn what_has_no_meaning_is_refused() {
             "w-float = \"q\"",
             "depth takes channel \"q\", and there is none",
         ),
-        ("voodoo", "\"r:24\"", "\"r:24@16\"", "a word has bits 0 to 31"),
+        ("voodoo", "\"r:24\"", "\"r:24@16\"", "must lie in bits 0 to 31"),
         ("virge", "rightward:1@31", "leftward:1@31", ""),
         ("virge", "rightward:1@31", "-:1@31", "exactly one of `leftward` and `rightward`"),
         (

@@ -39,11 +39,15 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
         &comparison.machines
     {
         if *exact && *coverage_differs > 0 {
-            eprintln!("error: {name}: its coverage must be exact, but differs from the exact picture; this is a bug in guardbit");
+            eprintln!(
+                "error: {name}: its coverage must be exact, but differs from the exact picture; the machine is wrong"
+            );
             return Ok(Outcome::Mismatch);
         }
         if depth_of_bound.is_some_and(|part| part > 1.0) || beyond_bound.is_some_and(|n| n > 0) {
-            eprintln!("error: {name} exceeds the error bound that its clause states; this is a bug in guardbit");
+            eprintln!(
+                "error: {name} exceeds the error bound that its clause states; the machine or the bound is wrong"
+            );
             return Ok(Outcome::Mismatch);
         }
     }
@@ -144,7 +148,10 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
     let unstated: Vec<&str> = unstated.collect();
     if !unstated.is_empty() {
         output.line("")?;
-        output.line(format!("these machines state no bound, so no bound is checked: {}", unstated.join(", ")))?;
+        output.line(format!(
+            "these machines state no bound, so no bound is checked: {}",
+            unstated.join(", ")
+        ))?;
     }
     for saved in saved {
         output.line("")?;

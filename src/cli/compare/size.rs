@@ -80,16 +80,18 @@ fn chart(rows: &[SizeRow]) -> Chart {
         series[at].points.push((row.covered, row.operations / row.covered));
     }
     Chart {
-        title: "The cheapest machine for each triangle size: operations against triangle size".to_owned(),
+        title: "The cheapest machine for each triangle size: operations against triangle size"
+            .to_owned(),
         x_label: "covered pixels per triangle".to_owned(),
         y_label: "operations per covered pixel, including a share of the set-up".to_owned(),
         log_x: true,
         log_y: true,
         series,
         line: true,
-        caption: "Operations are additions, multiplications, divisions and comparisons, all with the \
+        caption:
+            "Operations are additions, multiplications, divisions and comparisons, all with the \
                   same weight. They are counted while each machine draws random triangles of all \
                   directions. Lower is better."
-            .to_owned(),
+                .to_owned(),
     }
 }

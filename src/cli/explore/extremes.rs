@@ -49,7 +49,9 @@ pub(super) fn run(arguments: &SpaceArguments, json: bool) -> Result<Outcome, Fai
         extremes(&profile, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
     })?;
     if monitor.cancel.load(Ordering::Relaxed) {
-        return Err(Failure::interrupted("interrupted: not all extremes were measured, so nothing is printed"));
+        return Err(Failure::interrupted(
+            "interrupted: not all extremes were measured, so nothing is printed",
+        ));
     }
     let mut output = Output::new();
     if json {

@@ -26,8 +26,10 @@ pub(super) fn merge(request: &Request<'_>, files: &[PathBuf]) -> Result<Report, 
     for index in 0..count {
         let of = parts.iter().filter(|p| p.part.unwrap_or([0, 1]) == [index, count]).count();
         if of != 1 {
-            return Err(Failure::input(format!("part {index}/{count} is in {of} files, but must be in exactly 1"))
-                .hint("name the answer of each part once"));
+            return Err(Failure::input(format!(
+                "part {index}/{count} is in {of} files, but must be in exactly 1"
+            ))
+            .hint("name the answer of each part once"));
         }
     }
     if parts.len() as u64 != count {

@@ -43,7 +43,8 @@ impl Report {
                         .iter()
                         .map(|(name, value)| in_words_budget(name, setting(value)))
                         .collect();
-                    output.line(format!("larger    this larger budget fails: {}", parts.join(" ")))?;
+                    output
+                        .line(format!("larger    this larger budget fails: {}", parts.join(" ")))?;
                 }
             }
         }

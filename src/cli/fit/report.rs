@@ -124,7 +124,9 @@ impl Report {
         };
         let failing = |best: &Best| best.lesser.iter().map(|l| lesser(l, scenes)).collect();
         let answer = match best {
-            _ if request.robust => "the cheapest budget for which every larger budget also meets the tolerances",
+            _ if request.robust => {
+                "the cheapest budget for which every larger budget also meets the tolerances"
+            }
             Some(best) if best.larger.failed.is_none() => {
                 "the cheapest budget; every larger budget also meets the tolerances"
             }
