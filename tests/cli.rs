@@ -88,7 +88,11 @@ fn absurd_windows_are_refused() {
         refused(&["eval", "tiny", &format!("--window={window}")], 2, "a size is WIDTHxHEIGHT");
     }
     for scissor in ["", "1,2,3", "1,2,3,4,5", "3,0,1,1", "0,0,-1,1", "a,0,1,1"] {
-        refused(&["eval", "tiny", &format!("--scissor={scissor}")], 2, "a rectangle is X0,Y0,X1,Y1");
+        refused(
+            &["eval", "tiny", &format!("--scissor={scissor}")],
+            2,
+            "a rectangle is X0,Y0,X1,Y1",
+        );
     }
 }
 
@@ -142,8 +146,16 @@ fn bad_lines_do_not_stop_the_rest() {
         (r#"{"id": 1, "v": [[0,0],[8,0],[0,"x"]]}"#, "1", "field `v[2][1]`"),
         (r#"{"id": 1, "v": [[0,0],[9,0],[0,8]]}"#, "1", "v[1][0] = 9 is outside"),
         (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "w": 0}"#, "1", "field `w`: unknown key"),
-        (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "v": []}"#, "1", "field `v`: the key is given twice"),
-        (r#"{"id": 1, "id": 2, "v": [[0,0],[8,0],[0,8]]}"#, "1", "field `id`: the key is given twice"),
+        (
+            r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "v": []}"#,
+            "1",
+            "field `v`: the key is given twice",
+        ),
+        (
+            r#"{"id": 1, "id": 2, "v": [[0,0],[8,0],[0,8]]}"#,
+            "1",
+            "field `id`: the key is given twice",
+        ),
         (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "f": []}"#, "1", "but `v` is given, too"),
         (
             r#"{"id": 1, "f": [[0,0],[1e400,0],[0,1]]}"#,

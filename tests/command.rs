@@ -436,8 +436,8 @@ fn bad_scenes_are_named_with_file_and_line() {
             ("far.jsonl", 2, "9999 is outside the vertex field"),
             ("empty.jsonl", 2, "empty.jsonl: the file has no triangles"),
             ("none", 2, "no scene `none`"),
-            ("none.obj", 3, "none.obj: cannot be read"),
-            ("./none", 3, "./none: cannot be read"),
+            ("none.obj", 3, "none.obj: the file cannot be read"),
+            ("./none", 3, "./none: the file cannot be read"),
         ] {
             run_in(home.path(), &format!("{command} --scene {scene}")).complains(status, &[about]);
         }

@@ -292,11 +292,7 @@ fn an_answer_that_draws_nothing_is_no_answer() {
     let none = run_in(home.path(), "fit tiny --scene far.jsonl --vary interpolation=0..3");
     none.complains(2, &["snap-refused <= 0: the smallest value in the space is 1"]);
     let flat = run_in(home.path(), "fit tiny --scene flat.jsonl --vary interpolation=0..3").ends(0);
-    assert!(
-        flat.err.contains("note: depth-worst <= 0.5 is not checked"),
-        "{}",
-        flat.err
-    );
+    assert!(flat.err.contains("note: depth-worst <= 0.5 is not checked"), "{}", flat.err);
     let table = run_in(home.path(), "explore tiny --scene far.jsonl --no-speed").ends(0).out;
     assert!(table.contains("snap-refused"), "{table}");
 }

@@ -247,5 +247,5 @@ fn a_missing_synthesis_tool_says_how_to_get_it() {
     let mut command = guardbit();
     command.current_dir(home.path()).args(SPACE.split_whitespace()).arg("--synth");
     let ran = run::Ran::from(command.env("PATH", home.path()).output().unwrap());
-    ran.complains(2, &["yosys is not on this machine", "install yosys", "hint: "]);
+    ran.complains(2, &["yosys is not installed", "install yosys", "hint: "]);
 }

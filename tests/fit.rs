@@ -410,7 +410,7 @@ fn what_is_no_space_says_why() {
     };
     assert_eq!(space(&["guard=1", "guard=2"]), Err(SpaceError::Twice("guard")));
     let message = space(&["walk-fraction=1..3"]).unwrap_err().to_string();
-    assert!(message.contains("no such field"), "{message}");
+    assert!(message.contains("does not have this field"), "{message}");
     let message = space(&["interpolation=119..125"]).unwrap_err().to_string();
     assert!(message.contains("none of the 7 budgets") && message.contains("120"), "{message}");
     // What is invalid in part is searched in part.

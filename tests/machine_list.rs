@@ -202,7 +202,8 @@ fn depth_of_polygons_is_refused_with_the_way_out() {
     let error = draw("scanline", &polygon).unwrap_err();
     assert_eq!(error, DrawError::PolygonDepth { machine: "scanline" });
     let said = error.to_string();
-    for part in ["the machine scanline", "no depth", "leave z out", "gouraud"] {
+    for part in ["the machine scanline", "only the coverage of polygons", "leave z out", "gouraud"]
+    {
         assert!(said.contains(part), "{said}");
     }
     // Both ways out work.

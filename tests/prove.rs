@@ -96,7 +96,7 @@ fn the_table_has_the_known_widths_and_each_row_a_misread_sample() {
 fn the_35_bits_are_an_exact_edge_function_without_a_guard_band() {
     let stored = find(&ask("sgi-4k", PLAIN), "edge.stored");
     assert_eq!((stored.bits, stored.given, stored.sufficient), (Some(35), Some(35), true));
-    assert!(stored.statement.contains("the profile's 35 are exactly enough"));
+    assert!(stored.statement.contains("the 35 bits of the profile are exactly enough"));
     assert!(stored.statement.contains("1 guard + 12 integer + 10 sub-pixel + 12 interpolation"));
     judge_width(&stored, 10);
     // The sentence on the budget is computed: another window has another one or none.
@@ -155,7 +155,7 @@ fn the_39_bits_are_half_an_ulp_to_nearest() {
     assert_eq!((depth.bits, depth.sufficient), (Some(13), true));
     assert!(depth.statement.contains("2 guard + 24 integer + 13 interpolation = 39 bits"));
     assert!(depth.statement.contains("a start and 8190 steps"));
-    assert!(depth.statement.contains("of its 2 guard bits 1 is needed"));
+    assert!(depth.statement.contains("1 of its 2 guard bits is needed"));
     assert!(depth.bound.starts_with("8191 x 2^-14 = 8191/16384 < 1/2; with 12: "));
     for (profile, bits, s) in [("sgi-4k", 13, 10), ("d3d11", 15, 8), ("tiny", 3, 1)] {
         let depth = find(&ask(profile, PLAIN), "depth.interpolation");
@@ -531,7 +531,10 @@ fn questions_that_cannot_be_are_refused_with_the_nearest_that_can() {
             &["guard-band = 4000000000", "> 32 bits", "largest possible value is 2093056"],
         ),
         ("--guard-band 2093057", &["guard-band = 2093057", "2093056"]),
-        ("--sub-pixel 40", &["sub-pixel = 40", "12 + 40 = 52 > 32", "largest possible value is 20"]),
+        (
+            "--sub-pixel 40",
+            &["sub-pixel = 40", "12 + 40 = 52 > 32", "largest possible value is 20"],
+        ),
         (
             "--sub-pixel 0",
             &["sub-pixel = 0: a vertex grid without sub-pixels has no pixel centres"],

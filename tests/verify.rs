@@ -843,7 +843,7 @@ fn what_is_no_dump_is_refused_with_its_line() {
     }
     for empty in ["", "\n", "// nothing\n", "\r\n\r\n"] {
         let error = golden.compare("dda.exp.tv", empty).unwrap_err().to_string();
-        assert!(error.contains("dda.exp.tv: no rows"), "{error}");
+        assert!(error.contains("dda.exp.tv: the dump has no rows"), "{error}");
     }
     let (sets, _) = check::open(&golden.set.folder()).unwrap();
     let path = golden.keep.path().join("dda.exp.tv");
@@ -947,7 +947,7 @@ mod command {
         }
         golden.dump("edge.exp.tv", "");
         run_in(&home, &format!("verify {set} --dut edge.exp.tv"))
-            .complains(2, &["edge.exp.tv: no rows"]);
+            .complains(2, &["edge.exp.tv: the dump has no rows"]);
         golden.dump("edge.exp.tv", "0_00_0\nhello\n");
         run_in(&home, &format!("verify {set} --dut edge.exp.tv"))
             .complains(2, &["edge.exp.tv:2: "]);

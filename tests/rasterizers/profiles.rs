@@ -124,7 +124,7 @@ fn what_has_no_meaning_is_refused() {
         ),
         ("n64", "depth = \"z\"", "depth = \"s\"", "18 integer bits"),
         ("n64", "correction = 3", "correction = 14", "correction = 14 <= interpolation = 13"),
-        ("n64", "radix = 16", "radix = 8", "radix 10 or 16"),
+        ("n64", "radix = 16", "radix = 8", "radix of words is 10 or 16"),
         ("n64", "letter = \"S\"", "letter = \"SS\"", "expected a character"),
         ("vulkan-4bit", "lattice = 8", "lattice = 4", "sub-pixel = 4 < lattice"),
     ];
@@ -144,7 +144,7 @@ fn what_has_no_meaning_is_refused() {
     let depth = "\n[depth]\nguard = 0\ninteger = 8\ninterpolation = 4\nrounding = \"floor\"\ndivision = \"quotient\"\nclamp = \"wrap\"\nstart-bias = \"none\"\n";
     let text = BUILTIN.iter().find(|(name, _)| *name == "psp").unwrap().1.to_owned() + depth;
     let error = parse(&text, "changed.toml").unwrap_err().to_string();
-    assert!(error.contains("[depth] beside [form.registers]"), "{error}");
+    assert!(error.contains("[depth] has no effect with [form.registers]"), "{error}");
 }
 
 /// Clause RG-2: records beyond a number are counted and not kept.
