@@ -1,5 +1,5 @@
-//! The command: arguments, exit statuses and the one place where errors become text. It sees only the
-//! library's public items.
+//! The command: arguments, exit statuses, and the only place that prints errors. It uses only public items
+//! of the library.
 
 mod budget;
 mod claims;

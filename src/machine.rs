@@ -1,4 +1,4 @@
-//! Rasterizers: each turns a primitive into spans, values and events by its own means.
+//! Rasterizers: each machine turns a primitive into spans, values and events with its own algorithm.
 
 mod barycentric;
 mod bound;

@@ -1,4 +1,4 @@
-//! Profiles: everything a rasterizer decides, as a composition of what the rooms below own.
+//! Profiles: the complete configuration of a rasterizer, composed of the configurations of other modules.
 //! Spec clauses `F-4` and `F-5`; the file format is TOML with a published JSON schema.
 
 mod builtin;
@@ -71,7 +71,7 @@ pub struct WindowConfig {
     pub height: u32,
 }
 
-/// A profile whose parts do not go together.
+/// A profile that fails validation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InvalidProfile {
     /// Another schema version.
@@ -150,7 +150,7 @@ impl InvalidProfile {
 }
 
 impl Profile {
-    /// Checks every part and that they go together.
+    /// Checks every part, and the inequalities between the parts.
     ///
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality with its numbers.

@@ -1,4 +1,4 @@
-//! Geometry only: what is drawn, and nothing about how.
+//! Scenes: the geometry to draw. A scene does not configure how it is drawn.
 //!
 //! A scene is a list of triangles in window coordinates: y down, the origin at the window's top
 //! left corner. It comes from one of three places: the program itself ([`builtin`]), an OBJ mesh

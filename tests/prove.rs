@@ -117,7 +117,7 @@ fn the_35_bits_are_an_exact_edge_function_without_a_guard_band() {
         let side = 4096_i128 << 10;
         (side - 512 + g) * (side + 2 * g) - 1
     };
-    assert!(stored.statement.contains("Vertices 171/1024 pixels further out"));
+    assert!(stored.statement.contains("171/1024 pixels further out"));
     assert!(fits(most(170) >> 10, 35) && !fits(most(171) >> 10, 35));
 }
 

@@ -1,4 +1,4 @@
-//! `guardbit compare`: machine against machine on one scene.
+//! `guardbit compare`: compares machines on one scene.
 
 mod depth;
 mod experiment;

@@ -1,4 +1,4 @@
-//! `guardbit explore`: what each bit buys on these scenes, and what it costs.
+//! `guardbit explore`: the effect and the cost of each bit on given scenes.
 
 mod chart;
 mod extremes;

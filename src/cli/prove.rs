@@ -1,4 +1,4 @@
-//! `guardbit prove`: how few bits are enough for a whole window, and how that is known.
+//! `guardbit prove`: how few bits are enough for a whole window, with proofs.
 
 use super::Outcome;
 use super::failure::Failure;

@@ -1,4 +1,4 @@
-//! A sweep as one page: charts that answer, a table, error maps. It asks nothing of a network.
+//! A sweep as one HTML page: interactive charts, a table, error maps. The page needs no network.
 
 mod data;
 mod map;

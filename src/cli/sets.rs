@@ -1,4 +1,4 @@
-//! What `vectors`, `render` and `trace` share: a profile and a scene brought to its grid.
+//! Code that `vectors`, `render` and `trace` share: a profile, and a scene snapped to its grid.
 
 use super::failure::Failure;
 use guardbit::model::{Model, View};

@@ -1,4 +1,4 @@
-//! `guardbit speed`: the speed side of the trade, as ratios in one run.
+//! `guardbit speed`: speed as ratios within one run.
 
 use super::Outcome;
 use super::failure::Failure;

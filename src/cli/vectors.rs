@@ -1,4 +1,4 @@
-//! `guardbit vectors`: the main job.
+//! `guardbit vectors`: writes golden test vectors.
 
 use super::Outcome;
 use super::failure::Failure;

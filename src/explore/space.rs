@@ -29,7 +29,7 @@ pub enum Point {
     Budget(Profile),
     /// Another number's budget: an axis sets a field that this one does not have.
     Again,
-    /// No budget: its parts do not go together.
+    /// The index is invalid: the resulting profile fails validation.
     Invalid(InvalidProfile),
 }
 

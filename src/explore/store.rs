@@ -1,5 +1,5 @@
-//! What a sweep found, kept in a file as it comes, so that an interrupted one goes on and parts
-//! made elsewhere are joined. Spec clause `Q-6`.
+//! Results of a sweep in a file. Each result is saved at once, so an interrupted sweep can continue, and
+//! parts from several computers can be joined. Spec clause `Q-6`.
 //!
 //! JSON Lines: the first line names the request, each further line one number of its space. What
 //! follows from the request alone, such as a budget's cost, is not kept but made again.

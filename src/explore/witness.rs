@@ -1,4 +1,4 @@
-//! Why a budget will not do: a triangle and a sample. Spec clause `Q-8`.
+//! A counterexample to a budget: a triangle and a sample that it draws wrong. Spec clause `Q-8`.
 
 use super::field::{Level, Value};
 use super::sweep::{self, Sweep};

@@ -46,7 +46,7 @@ pub enum ProfileError {
         /// What is wrong.
         message: String,
     },
-    /// Well-formed, but its parts do not go together.
+    /// The TOML text is well-formed, but the profile fails validation.
     #[error("{path}:{line}: {field}: {source}")]
     Invalid {
         /// The file or built-in.

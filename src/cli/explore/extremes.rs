@@ -45,7 +45,7 @@ pub(super) fn run(arguments: &SpaceArguments, json: bool) -> Result<Outcome, Fai
         profile.validate().map_err(Failure::input)?;
     }
     let monitor = progress::monitor();
-    let found = progress::watch("pushing", &monitor, || {
+    let found = progress::watch("measuring", &monitor, || {
         extremes(&profile, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
     })?;
     if monitor.cancel.load(Ordering::Relaxed) {

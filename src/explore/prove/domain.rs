@@ -75,7 +75,7 @@ pub enum QuestionError {
         /// One past the last.
         high: i64,
     },
-    /// The profile does not go together.
+    /// The profile fails validation.
     #[error(transparent)]
     Profile(#[from] InvalidProfile),
 }
