@@ -1,6 +1,6 @@
 //! Words of 1 to 128 bits, the roundings, and the numeric events that operations report.
 //!
-//! Ground floor: everything above moves these words about, and nothing here knows of triangles.
+//! This is the lowest module: all other modules use these words, and nothing here depends on triangles.
 //! Spec clauses `W-*` (words), `R-*` (rounding) and `V-*` (events).
 
 mod event;

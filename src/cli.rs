@@ -1,5 +1,5 @@
-//! The command: arguments, exit statuses and the one place where errors become text. It sees only the
-//! library's public items.
+//! The command: arguments, exit statuses, and the only place that prints errors. It uses only public items
+//! of the library.
 
 mod budget;
 mod claims;
@@ -28,8 +28,8 @@ use std::process::ExitCode;
 
 /// Bit-exact fixed-point reference model for triangle rasterization hardware.
 ///
-/// Exit status: 0 good, 1 a mismatch or unmet claim was found, 2 usage or bad input, 3 input or
-/// output failed, 130 interrupted.
+/// Exit status: 0 success, 1 a mismatch or a claim that does not hold, 2 wrong usage or bad input,
+/// 3 input or output failed, 130 interrupted.
 #[derive(Debug, Parser)]
 #[command(name = "guardbit", version, max_term_width = 100, color = clap::ColorChoice::Auto)]
 struct Arguments {
@@ -66,8 +66,8 @@ enum Outcome {
 
 /// The command: parses the process's arguments, runs, reports.
 ///
-/// `machines` are rasterizers of your own that the command draws, compares, explores and writes sets with,
-/// beside the built-in ones. A name that is taken is refused, with exit status 2.
+/// `machines` are your own rasterizers. The command draws, compares and explores them, and writes sets for
+/// them, like the built-in machines. If a name is already in use, the exit status is 2.
 ///
 /// ```no_run
 /// fn main() -> std::process::ExitCode {
@@ -117,10 +117,11 @@ fn takes_primitives(profile: &guardbit::profile::Profile) -> Result<(), failure:
         return Ok(());
     }
     let name = &profile.name;
-    let message =
-        format!("{name} begins at registers: its bits are a machine's, no budget to vary");
-    let hint = "`guardbit compare --profiles` sets machines beside each other; spec/23-describe.md says \
-                how to change one";
+    let message = format!(
+        "{name} is a register-level machine: its widths are fixed by the hardware and cannot be varied"
+    );
+    let hint = "`guardbit compare --profiles` compares such machines; spec/23-describe.md explains how to \
+                change one";
     Err(failure::Failure::input(message).hint(hint))
 }
 
@@ -129,7 +130,7 @@ fn parse_size(text: &str) -> Result<(u32, u32), String> {
     let parts = text.split_once(['x', 'X']).and_then(|(width, height)| {
         Some((width.trim().parse().ok()?, height.trim().parse().ok()?))
     });
-    parts.ok_or_else(|| "a size looks like 1024x768".to_owned())
+    parts.ok_or_else(|| "a size is WIDTHxHEIGHT, for example 1024x768".to_owned())
 }
 
 /// `X0,Y0,X1,Y1`, half-open.
@@ -139,9 +140,7 @@ fn parse_rect(text: &str) -> Result<guardbit::cover::Rect, String> {
         [x0, y0, x1, y1] if x0 <= x1 && y0 <= y1 && text.split(',').count() == 4 => {
             Ok(guardbit::cover::Rect { x0, y0, x1, y1 })
         }
-        _ => {
-            Err("a rectangle looks like 0,0,640,480: X0,Y0,X1,Y1 with X0 <= X1, Y0 <= Y1"
-                .to_owned())
-        }
+        _ => Err("a rectangle is X0,Y0,X1,Y1 with X0 <= X1 and Y0 <= Y1, for example 0,0,640,480"
+            .to_owned()),
     }
 }

@@ -1,5 +1,5 @@
-//! Digital differential analysers: an accumulator and a slope, in one and two directions, word by
-//! word, in closed form, and as kernels that fill slices. Spec clauses `D-*`.
+//! Digital differential analysers: an accumulator and its slopes in one or two directions, as single
+//! steps, as closed forms, and as kernels that fill slices. Spec clauses `D-*`.
 
 mod closed;
 mod kernel;

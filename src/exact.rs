@@ -1,4 +1,4 @@
-//! The truth: rationals and big integers, sharing no code with what it judges.
+//! Exact results from rationals and big integers. This code shares nothing with the code that it checks.
 //!
 //! Coordinates of triangles are integers in sub-pixels, y down; a sample is a [`Point`] in the same
 //! units, rational where it has to be. Nothing here normalises, orients, shifts or wraps: coverage

@@ -1,5 +1,5 @@
-//! Questions asked of the model: which known facts hold, what each bit buys, and how few are
-//! enough.
+//! Experiments with the model: which known facts hold, what the effect of each bit is, and how few bits
+//! are enough.
 
 #[cfg(feature = "laboratory")]
 pub mod claims;

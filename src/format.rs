@@ -1,5 +1,5 @@
-//! Fixed-point formats: where the binary point stands, how guard bits decode, how many bits a
-//! quantity gets. Spec clauses `F-*` (formats) and `G-*` (guard clamp).
+//! Fixed-point formats: the position of the binary point, the decoding of guard bits, and the number of
+//! bits of each quantity. Spec clauses `F-*` (formats) and `G-*` (guard clamp).
 
 mod budget;
 mod column;

@@ -1,8 +1,8 @@
 //! Bit-exact fixed-point reference model for triangle rasterization hardware.
 //!
-//! A [`profile::Profile`] says everything a rasterizer decides: bits, rounding, overflow, fill
-//! rule. A [`scene::Scene`] says what is drawn. Nothing else decides a bit: the same profile and
-//! scene give the same bytes on any machine, with any number of threads.
+//! A [`profile::Profile`] is the configuration of a rasterizer: bits, rounding, overflow, fill rule,
+//! algorithm. A [`scene::Scene`] is the geometry to draw. Nothing else has an effect on the output: the
+//! same profile and scene give the same bytes on any computer, with any number of threads.
 //!
 //! ```
 //! use guardbit::{model::{Drawing, Model}, profile, scene};
@@ -18,26 +18,26 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! The rooms, ground floor first; each imports only from those before it:
+//! The modules, from the lowest to the highest; each imports only from the modules before it:
 //!
 //! 1. [`bits`]: words, rounding, numeric events, hexadecimal text
 //! 2. [`mod@format`]: Q-formats, the guard clamp, budgets, conversions from and to the `fixed` crate
-//! 3. [`exact`]: rationals and big integers, the truth that the rest is held against
-//! 4. [`dda`]: accumulators and slopes, in closed form, as kernels, and their plain twins
+//! 3. [`exact`]: exact rational arithmetic and big integers, with which all results are compared
+//! 4. [`dda`]: accumulators and slopes: closed forms, fast kernels, and their naive references
 //! 5. [`setup`]: snapping, exact edges, planes, division
 //! 6. [`cover`]: fill rules, samples, edge words, runs
 //! 7. [`value`]: the depth plane
-//! 8. [`machine`]: rasterizers, one folder each, one list, and one trait that everything above asks
-//! 9. [`profile`]: those configurations composed, as TOML
+//! 8. [`machine`]: rasterizers: one folder for each, one list of them, and the trait that all higher modules use
+//! 9. [`profile`]: the configurations of the modules above in one TOML file
 //! 10. [`scene`]: triangles, meshes, a camera, built-in scenes
-//! 11. [`model`]: a profile made ready; the door for everything below
-//! 12. [`case`]: stimulus by kind, keyed by seed, class and index
+//! 11. [`model`]: a validated profile that draws; the entry point to all modules before it
+//! 12. [`case`]: test stimulus by class, determined by seed, class and index
 //! 13. [`measure`]: error, cost, speed, budgets
-//! 14. [`vector`]: golden sets, verify, diagnosis
-//! 15. [`explore`]: the known facts recomputed, and how few bits are provably enough
+//! 14. [`vector`]: golden sets, their verification, diagnosis of device dumps
+//! 15. [`explore`]: sweeps and searches over budgets, proofs of how few bits are enough, known facts recomputed
 //!
-//! Above them stands the command, with the feature `cli`. A program of your own that calls `cli::main`
-//! with machines of its own is a command that knows them too.
+//! The feature `cli` adds the command. Your own program can call `cli::main` with your own machines; it is
+//! then the same command with these machines in addition.
 //!
 //! The specification in `spec/` is normative; documentation cites its clauses as `G-2`.
 

@@ -1,4 +1,4 @@
-//! Rasterizers: each turns a primitive into spans, values and events by its own means.
+//! Rasterizers: each machine turns a primitive into spans, values and events with its own algorithm.
 
 mod barycentric;
 mod bound;
@@ -154,7 +154,9 @@ inputs!(
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DrawError {
     /// Under the clamp mode `error`, a covered sample left the guard range.
-    #[error("depth leaves the guard range at pixel ({x}, {y}); the profile's clamp is \"error\"")]
+    #[error(
+        "depth leaves the guard range at pixel ({x}, {y}); the profile has clamp = \"error\", so the triangle is refused"
+    )]
     GuardRange {
         /// Column.
         x: i64,
@@ -162,12 +164,12 @@ pub enum DrawError {
         y: i64,
     },
     /// The machine draws other primitives.
-    #[error("this profile's machine does not draw {0}")]
+    #[error("the machine of this profile does not draw {0}")]
     Primitive(&'static str),
     /// A primitive that was checked against the vertex field of another profile.
     #[error(
-        "the primitive was made for another vertex field: {} <= x, y <= {} at {} sub-pixel bits and z <= {}; \
-         this profile has {} <= x, y <= {} at {} sub-pixel bits and z <= {}; snap it with the model that draws it",
+        "the primitive was made for a different vertex field: {} <= x, y <= {} at {} sub-pixel bits and z <= {}; \
+         this profile has {} <= x, y <= {} at {} sub-pixel bits and z <= {}; snap the primitive with the model that draws it",
         .got.range().0, .got.range().1, .got.sub_pixel(), .got.depth_max(),
         .need.range().0, .need.range().1, .need.sub_pixel(), .need.depth_max()
     )]
@@ -179,7 +181,7 @@ pub enum DrawError {
     },
     /// The machine draws polygons, but not their depth.
     #[error(
-        "the machine {machine} draws the coverage of a polygon and no depth: more than three points need \
+        "the machine {machine} draws only the coverage of polygons, because more than three points may \
          not lie on one plane; leave z out, or choose a machine that walks depth down the edges: {}",
         with_polygon_depth()
     )]
@@ -188,7 +190,7 @@ pub enum DrawError {
         machine: &'static str,
     },
     /// Another number of words.
-    #[error("{got} words are given, and this machine takes {need}")]
+    #[error("{got} words are given, but this machine takes {need}")]
     Words {
         /// Words of its list.
         need: usize,
@@ -196,7 +198,7 @@ pub enum DrawError {
         got: usize,
     },
     /// Numbers too large for exact 128-bit arithmetic.
-    #[error("{what} = {value}: this machine takes {low} to {high}")]
+    #[error("{what} = {value}: {low} <= {what} <= {high} is needed for this machine")]
     Range {
         /// Which number.
         what: &'static str,

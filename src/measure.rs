@@ -1,5 +1,5 @@
-//! Measurement: error against the exact truth, cost in hardware, machines against each other, and
-//! speed as ratios within one run.
+//! Measurement: error against the exact result, cost in hardware, comparison of machines, and speed as
+//! ratios within one run.
 
 pub mod accuracy;
 pub mod budget;

@@ -1,5 +1,5 @@
-//! A profile made ready: validated once, lane, processor level and machine picked once. The only
-//! door for `eval`, vectors, rendering and bindings.
+//! A profile that is ready to draw: it is validated once, and lane, processor level and machine are
+//! selected once. `eval`, vectors, rendering and bindings all draw through this module.
 
 mod fill;
 mod primitive;
@@ -21,7 +21,7 @@ use crate::scene;
 use crate::setup::{Triangle, VertexField};
 use crate::value::Depth;
 
-/// The version of the model: raised by any change of an emitted bit, and named in the CHANGELOG.
+/// The version of the model. Any change of an output bit raises it, and the CHANGELOG names the change.
 pub const MODEL_VERSION: u32 = 1;
 
 /// A profile, ready to draw.
@@ -37,19 +37,19 @@ pub struct Model {
     quick: Option<fill::Quick>,
 }
 
-/// What a caller may set beside the profile; nothing here changes the bits of a sample.
+/// Settings of a caller in addition to the profile. No setting changes the bits of a sample.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct View {
-    /// Window size instead of the profile's.
+    /// Window size; replaces the window of the profile.
     pub window: Option<(u32, u32)>,
-    /// Draw only here.
+    /// Draw only pixels in this rectangle.
     pub scissor: Option<Rect>,
-    /// Processor level; the best by default.
+    /// Processor level; by default the best level of this computer.
     pub processor: Processor,
 }
 
 impl Model {
-    /// The model of a profile, in the profile's window.
+    /// Makes the model of a profile, in the window of the profile.
     ///
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality.
@@ -57,7 +57,7 @@ impl Model {
         Self::with_view(profile, View::default())
     }
 
-    /// The model of a profile, seen through `view`.
+    /// Makes the model of a profile, with the settings of `view`.
     ///
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality.

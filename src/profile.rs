@@ -1,4 +1,4 @@
-//! Profiles: everything a rasterizer decides, as a composition of what the rooms below own.
+//! Profiles: the complete configuration of a rasterizer, composed of the configurations of other modules.
 //! Spec clauses `F-4` and `F-5`; the file format is TOML with a published JSON schema.
 
 mod builtin;
@@ -74,15 +74,15 @@ pub struct WindowConfig {
     pub height: u32,
 }
 
-/// A profile whose parts do not go together.
+/// A profile that fails validation.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum InvalidProfile {
     /// Another schema version.
-    #[error("schema = {0}: this build reads schema 1")]
+    #[error("schema = {0}: this version of guardbit reads schema 1; write schema = 1")]
     Schema(u32),
     /// A name that cannot name a folder.
     #[error(
-        "name = {0:?}: a name has 1 to 64 of a-z A-Z 0-9 - _ . and does not begin with a point or a hyphen"
+        "name = {0:?}: a name has 1 to 64 characters from a-z A-Z 0-9 - _ . and does not begin with a point or a hyphen"
     )]
     Name(String),
     /// The window.
@@ -105,7 +105,7 @@ pub enum InvalidProfile {
     Multisample(#[from] MultisampleError),
     /// Depth that is no plane cannot be taken at another place than the machine's own.
     #[error(
-        "[multisample] takes depth from a plane, and the machine {0} has none; choose another machine"
+        "[multisample] needs a depth plane, but the machine {0} has none; choose another machine, or leave [multisample] out"
     )]
     MultisampleDepth(&'static str),
     /// The machine.
@@ -113,14 +113,14 @@ pub enum InvalidProfile {
     Form(#[from] FormError),
     /// A cost was asked for, and the machine states none.
     #[error(
-        "the machine {0} states no cost: its units, set-up and operations are not estimated; choose another \
-         machine"
+        "the machine {0} has no cost model, so its units, set-up and operations cannot be estimated; choose \
+         another machine"
     )]
     NoCost(&'static str),
     /// An order of visits for a machine that has its own.
     #[error(
-        "a [traversal] goes with [form.edge-function]; the machine {0} visits samples in an order of \
-         its own"
+        "[traversal] works only with [form.edge-function]; the machine {0} has a fixed order of visits; leave \
+         [traversal] out"
     )]
     Traversal(&'static str),
     /// The depth plane.
@@ -153,7 +153,7 @@ impl InvalidProfile {
 }
 
 impl Profile {
-    /// Checks every part and that they go together.
+    /// Checks every part, and the inequalities between the parts.
     ///
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality with its numbers.

@@ -1,4 +1,4 @@
-//! Geometry only: what is drawn, and nothing about how.
+//! Scenes: the geometry to draw. A scene does not configure how it is drawn.
 //!
 //! A scene is a list of triangles in window coordinates: y down, the origin at the window's top
 //! left corner. It comes from one of three places: the program itself ([`builtin`]), an OBJ mesh
@@ -123,8 +123,8 @@ pub enum SceneError {
     },
     /// Neither a built-in name nor a file.
     #[error(
-        "no scene `{name}`: it is neither a file nor one of the built-in scenes ({}); give one of \
-         these, an .obj mesh, or a JSON Lines file of triangles",
+        "no scene `{name}`: it is not a file and not a built-in scene; give one of the built-in scenes ({}), \
+         an .obj mesh, or a JSON Lines file of triangles",
         builtin::name_list()
     )]
     Unknown {
@@ -132,7 +132,7 @@ pub enum SceneError {
         name: String,
     },
     /// The file could not be read.
-    #[error("{path}: cannot be read: {source}")]
+    #[error("{path}: the file cannot be read: {source}")]
     Io {
         /// The path as it was given.
         path: String,
@@ -141,7 +141,7 @@ pub enum SceneError {
     },
     /// The file is not text.
     #[error(
-        "{path}: line {line}: not UTF-8; a scene is an .obj mesh or JSON Lines, save it as UTF-8"
+        "{path}: line {line}: the text is not UTF-8; a scene is an .obj mesh or JSON Lines; save the file as UTF-8"
     )]
     Encoding {
         /// The path as it was given.
@@ -170,7 +170,9 @@ pub enum SceneError {
         source: LineError,
     },
     /// A JSON Lines file without a triangle.
-    #[error("{path}: no triangles; write one a line, such as {{\"v\": [[0,0],[64,0],[0,64]]}}")]
+    #[error(
+        "{path}: the file has no triangles; write one triangle on each line, for example {{\"v\": [[0,0],[64,0],[0,64]]}}"
+    )]
     Empty {
         /// The path as it was given.
         path: String,

@@ -1,5 +1,5 @@
 //! Set-up: snapping, exact edge coefficients, plane gradients and the division behind them.
-//! A toolbox for machines, not a stage before them. Spec clauses `S-*`.
+//! Machines call these functions; set-up is not a stage of its own before the machines. Spec clauses `S-*`.
 
 mod clip;
 mod decision;

@@ -1,5 +1,5 @@
-//! Golden vector sets: writing them, checking them, comparing a device's dump with them, and
-//! saying what is wrong. Spec clauses `N-*`.
+//! Golden vector sets: writing them, checking them, comparing the dump of a device with them, and
+//! naming the cause of a difference. Spec clauses `N-*`.
 
 pub mod bench;
 pub mod check;

@@ -53,13 +53,15 @@ pub struct RunTime(u32);
 
 /// A width outside 1 to 128.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("a word has 1 to 128 bits, not {0}")]
+#[error("{0} bits: a word has 1 to 128 bits")]
 pub struct WidthError(pub u32);
 
 /// Words of two formats in one operation. Only formats chosen at run time can differ; where they are
 /// types, such an operation does not compile.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("a word of {left} and one of {right}: both operands need one format; convert one of them")]
+#[error(
+    "the operands have different formats, {left} and {right}; convert one operand to the format of the other"
+)]
 pub struct Mismatch<W: Width> {
     /// Format of the left operand.
     pub left: W,

@@ -11,19 +11,21 @@ use guardbit::model::Model;
 use guardbit::profile;
 use guardbit::scene;
 
-/// The words of a profile: fields, range, resolution, and how many steps stay below half an ULP.
+/// List the words of a profile: fields, range, resolution, and how many steps keep the error below half
+/// an ULP.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// Also say what a scene requires: a built-in scene, an OBJ mesh, or a JSON Lines file.
+    /// Also report what this scene requires: a built-in name, an OBJ mesh, or a JSON Lines file of
+    /// triangles.
     #[arg(long, value_name = "S")]
     scene: Option<String>,
-    /// Window of the scene, as WIDTHxHEIGHT; the profile's by default.
+    /// Window of the scene as WIDTHxHEIGHT; by default the window of the profile.
     #[arg(long, value_parser = super::parse_size, requires = "scene")]
     window: Option<(u32, u32)>,
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
 }

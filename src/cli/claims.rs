@@ -8,18 +8,18 @@ use std::io::IsTerminal;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Recompute the hard numbers with the project's own code: value, expectation, verdict.
+/// Recompute the known facts about budgets, and compare them with the expected values.
 ///
-/// Exit status 1 when one does not come out.
+/// A claim is one fact. Exit status 1 if a computed value differs from its expected value.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
-    /// Only claims whose id begins so, such as `edge.` or `depth.`.
+    /// Check only the claims whose id begins with PREFIX, for example `edge.` or `depth.`.
     #[arg(long, value_name = "PREFIX", default_value = "")]
     only: String,
-    /// Worker threads.
+    /// Number of worker threads.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -28,8 +28,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut statements = claims::all();
     statements.retain(|statement| statement.id.starts_with(&arguments.only));
     if statements.is_empty() {
-        let message = format!("--only {:?}: no claim's id begins so", arguments.only);
-        return Err(Failure::input(message).hint("guardbit claims --json lists every id"));
+        let message =
+            format!("--only {:?}: the id of no claim begins with this text", arguments.only);
+        return Err(Failure::input(message).hint("`guardbit claims --json` lists every id"));
     }
     let bar = if std::io::stderr().is_terminal() {
         indicatif::ProgressBar::new(statements.len() as u64)

@@ -1,4 +1,4 @@
-//! `guardbit compare`: machine against machine on one scene.
+//! `guardbit compare`: compares machines on one scene.
 
 mod depth;
 mod experiment;
@@ -21,28 +21,30 @@ use guardbit::scene::{self, Scene};
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-/// Machine against machine on one scene: coverage and depth against exact, operations, bits, time.
+/// Compare machines (rasterization algorithms) on one scene: coverage and depth error against the exact
+/// result, operations, bits, time.
 ///
-/// Every machine of the lectures draws the same scene with the profile's vertex field, fill rule and
-/// words. Exit status 1 if a machine whose coverage is exact by construction differs from the exact
-/// picture.
+/// Every machine draws the same scene with the vertex field, fill rule and words of the profile. Exit
+/// status 1 if a machine exceeds its stated error bound, or if a machine whose coverage must be exact
+/// differs from the exact picture.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles.
+    /// The scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles.
     #[arg(long, default_value = "knot")]
     scene: String,
-    /// Window, as WIDTHxHEIGHT; the profile's by default, at most 1024 x 1024, and 96 x 72 with --profiles.
+    /// Window as WIDTHxHEIGHT; by default the window of the profile, but at most 1024 x 1024, and 96 x 72
+    /// with --profiles.
     #[arg(long, value_parser = super::parse_size)]
     window: Option<(u32, u32)>,
     /// What to compare.
     #[arg(long, value_enum, default_value_t = Show::Machines)]
     show: Show,
-    /// The same scene through each of these profiles instead, names or files with commas between; without a
-    /// value, through the real rasterizers among the built-in ones. PROFILE then only says what integer
-    /// coordinates of a scene mean.
+    /// Draw the scene with each of these profiles instead: names or files, with commas between them. Without
+    /// a value, draw it with all built-in profiles of real rasterizers. PROFILE then only defines the unit of
+    /// integer coordinates in the scene.
     #[arg(
         long,
         value_name = "PROFILES",
@@ -52,36 +54,36 @@ pub(crate) struct Arguments {
         conflicts_with_all = ["show", "machines", "stamp"]
     )]
     profiles: Option<Vec<String>>,
-    /// Only these machines, by the names of `form` in a profile, with commas between.
+    /// Compare only these machines: names of `form` in a profile, with commas between them.
     #[arg(long, value_name = "NAMES", value_delimiter = ',', value_parser = parse_machine)]
     machines: Vec<&'static str>,
-    /// Pixels a step of a traversal.
+    /// Block of pixels that a traversal visits in one step: 1x1, 2x1 or 2x2.
     #[arg(long, value_name = "STAMP", value_parser = parse_stamp, default_value = "1x1")]
     stamp: Stamp,
-    /// Measure no times: every figure is then the same on every machine.
+    /// Do not measure time. The output is then the same on every computer.
     #[arg(long)]
     no_time: bool,
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
-    /// Also write a picture: error maps of the machines, or a chart of cost against triangle size.
+    /// Also write an SVG picture: error maps of the machines, or a chart of cost against triangle size.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Show {
-    /// One row a machine.
+    /// All machines, one row for each.
     Machines,
-    /// Cost against triangle size, machine by machine; of the scene only the window counts.
+    /// Cost against triangle size for each machine; the scene is not used.
     Sizes,
-    /// Orders of visits: what each looks at, and which accumulators read otherwise.
+    /// Traversal orders: the samples that each order visits, and the accumulators that then read differently.
     Traversal,
-    /// Depth formats: how far apart codes lie over distance, and what they make equal.
+    /// Depth formats: the step between codes over distance, and ties.
     Depth,
-    /// Attributes: affine and perspective by several means, with error and operations.
+    /// Attributes: affine interpolation and several methods for perspective, with error and operations.
     Interpolation,
-    /// T-vertices, acute triangles, a moved sample grid, outlines; no scene counts.
+    /// T-vertices, acute triangles, a moved sample grid, outlines; the scene is not used.
     Experiments,
 }
 
@@ -115,7 +117,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let Some(path) = &arguments.svg {
         if !matches!(arguments.show, Show::Machines | Show::Sizes) {
             return Err(Failure::input("--svg: this comparison has no picture")
-                .hint("pictures go with --show machines and --show sizes"));
+                .hint("--svg works with --show machines, --show sizes and --profiles"));
         }
         check_place(path)?;
     }

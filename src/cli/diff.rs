@@ -8,14 +8,16 @@ use guardbit::profile;
 use guardbit::vector::{check, diff};
 use std::path::Path;
 
-/// Say what differs between two sets, or two profiles. Exit status 1 when anything does.
+/// List the differences between two sets or two profiles.
+///
+/// Exit status 1 if there is a difference.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The folder of a set, or a profile.
+    /// The first input: the folder of a set, or a profile.
     left: String,
-    /// The other.
+    /// The second input, of the same kind.
     right: String,
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -27,10 +29,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let [a, b] = [left, right].map(check::open);
             let (a, b) = (a.map_err(check_failure)?.0, b.map_err(check_failure)?.0);
             if a.len() != b.len() {
-                let message = format!("{} sets on the left, {} on the right", a.len(), b.len());
-                return Err(
-                    Failure::input(message).hint("name two sets, or two folders of as many")
-                );
+                let message =
+                    format!("the first folder has {} sets, the second has {}", a.len(), b.len());
+                return Err(Failure::input(message)
+                    .hint("give two sets, or two folders with the same number of sets"));
             }
             let mut changes = Vec::new();
             for (a, b) in a.iter().zip(&b) {
@@ -46,7 +48,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         (false, false) => {
             diff::profiles(&profile::load(&arguments.left)?, &profile::load(&arguments.right)?)
         }
-        _ => return Err(Failure::input("one side is the folder of a set, the other is not")),
+        _ => {
+            return Err(Failure::input(
+                "one input is the folder of a set and the other is not: give two sets or two profiles",
+            ));
+        }
     };
     let mut output = Output::new();
     if arguments.json {

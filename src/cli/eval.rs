@@ -12,27 +12,32 @@ use std::io::{BufRead, Write};
 /// Longest line read, so that input without newlines cannot fill the memory.
 const LONGEST: u64 = 1 << 24;
 
-/// Live model on a pipe: JSON Lines in, JSON Lines out, flushed line by line.
+/// Run the model on a pipe: JSON Lines in, JSON Lines out, flushed after each line.
 ///
-/// In: {"id": 7, "v": [[x,y,z],[x,y,z],[x,y,z]]}, integers in sub-pixels and depth ULPs, y down,
-/// z optional; or "f" instead of "v": real numbers, x and y in pixels, z in depth ULPs,
-/// {"bits": "7fc00000"} for NaN and infinities.
-/// "line": [[x,y],[x,y]] and "point": [x,y] draw by the profile's rules, "polygon": [[x,y],...] and
-/// "clip": [[X,Y,Z,W],...] on machines that take them.
-/// "words": ["...", ...] are registers in the profile's radix, on profiles that begin there.
-/// Out: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}; "masks", one a pixel, where
-/// the profile has several samples. Registers are answered by {"id": 7, "out": [["P", ...], ...]}, one
-/// list a record as the hardware draws them, and "masked": [...] names words with bits that no field
-/// holds.
+/// Input: one primitive on each line.
+/// {"id": 7, "v": [[x,y,z],[x,y,z],[x,y,z]]} is a triangle: integers, x and y in sub-pixels, z in depth
+/// ULPs (optional), y down.
+/// "f" instead of "v" takes real numbers: x and y in pixels, z in depth ULPs; {"bits": "7fc00000"} gives
+/// NaN and infinities.
+/// "line": [[x,y],[x,y]] and "point": [x,y] follow the rules of the profile.
+/// "polygon": [[x,y],...] and "clip": [[X,Y,Z,W],...] need a machine that draws them.
+/// "words": ["...", ...] are the registers of a register-level machine, in the radix of the profile.
+///
+/// Output: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}.
+/// If the profile has several samples in each pixel, "masks" has one mask for each pixel.
+/// For "words", the output is {"id": 7, "out": [["P", ...], ...]}: one list for each record, in the order
+/// in which the hardware draws; "masked": [...] names the words with bits outside all fields.
+///
+/// A bad line gives {"id": ..., "error": "..."}; the next lines are processed, and the exit status is 2.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// Window instead of the profile's, as WIDTHxHEIGHT.
+    /// Window as WIDTHxHEIGHT; replaces the window of the profile.
     #[arg(long, value_parser = super::parse_size)]
     window: Option<(u32, u32)>,
-    /// Draw only pixels [X0, X1) by [Y0, Y1), as X0,Y0,X1,Y1.
+    /// Draw only the pixels with X0 <= x < X1 and Y0 <= y < Y1, given as X0,Y0,X1,Y1.
     #[arg(long, value_parser = super::parse_rect)]
     scissor: Option<guardbit::cover::Rect>,
 }
@@ -61,7 +66,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         answer.clear();
         if read as u64 == LONGEST && line.last() != Some(&b'\n') {
             input.skip_until(b'\n').map_err(|error| Failure::io("standard input", &error))?;
-            let message = format!("line {number}: longer than {LONGEST} bytes");
+            let message = format!("line {number}: the line is longer than {LONGEST} bytes");
             let _ = write!(answer, "{{\"id\": null, \"error\": \"{message}\"}}");
             all_good = false;
         } else {
@@ -92,7 +97,7 @@ fn reply(
         false
     };
     let Ok(text) = std::str::from_utf8(line) else {
-        return refuse(answer, None, "not UTF-8 text");
+        return refuse(answer, None, "the line is not UTF-8 text");
     };
     let request = match lines::parse_line(text.trim_end()) {
         Ok(request) => request,
@@ -154,7 +159,7 @@ fn reply_records(
         let rows = records.rows;
         answer.clear();
         return Err(format!(
-            "{rows} records are drawn, and an answer has at most {}",
+            "the hardware draws {rows} records, but an answer has at most {}",
             Records::MOST
         ));
     }

@@ -1,4 +1,4 @@
-//! `guardbit explore`: what each bit buys on these scenes, and what it costs.
+//! `guardbit explore`: the effect and the cost of each bit on given scenes.
 
 mod chart;
 mod extremes;
@@ -30,41 +30,43 @@ use std::io::Write;
 use std::path::PathBuf;
 pub(crate) use table::{FIGURES, figure, help as columns_help};
 
-/// Measure every budget of a space on scenes: accuracy, hardware cost, software speed, Pareto front.
+/// Measure every budget of a search space on scenes: accuracy, hardware cost, software speed, Pareto
+/// front.
 ///
-/// Snap error (the scene against itself on the grid) and arithmetic error (what is drawn against
-/// the exact picture of that) are kept apart: figures of the first begin with `snap-`.
+/// A budget is one choice of values for the varied fields. The report separates two errors. The snap
+/// error compares the scene with the same scene on the vertex grid; its metrics begin with `snap-`. The
+/// arithmetic error compares the drawing with the exact picture of the scene on the grid.
 #[derive(Debug, clap::Args)]
 #[allow(clippy::struct_excessive_bools, reason = "flags of a command line")]
 pub(crate) struct Arguments {
     #[command(flatten)]
     space: SpaceArguments,
-    /// What a budget is weighed by; again for each further one. Smaller is better.
+    /// A metric to minimise for the Pareto front; repeat the option for more metrics.
     #[arg(long = "objective", value_name = "METRIC", value_parser = parse_metric)]
     objectives: Vec<Metric>,
-    /// Keep results in FILE as they come, and go on from what it holds.
+    /// Save each result to FILE, and continue from the results that FILE already has.
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
-    /// Measure one part of the space, I/N with I from 0; join the parts with --merge.
+    /// Measure part I of N parts of the space, as I/N; I starts at 0. Join the parts with --merge.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     shard: Option<Shard>,
-    /// Join files of results that were saved for this same request, instead of measuring.
+    /// Do not measure: join result files that --save wrote for the same request.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["save", "shard"])]
     merge: Vec<PathBuf>,
-    /// Do not time the model: without it the output is the same on every machine and run.
+    /// Do not measure the speed of the model. The output is then the same on every computer.
     #[arg(long)]
     no_speed: bool,
-    /// Instead of a space, push area, slopes, w, depth, window and walk to their extremes, and
-    /// report the first budget of the profile at which each breaks.
+    /// Do not measure a space: draw extreme cases of area, slopes, w, depth, window and walk, reduce one
+    /// field of the profile at a time, and report the first value that fails.
     #[arg(long, conflicts_with_all = ["objectives", "save", "shard", "merge", "csv", "all"])]
     extremes: bool,
-    /// Print one JSON object a budget, in an array.
+    /// Print a JSON array with one object for each budget.
     #[arg(long, conflicts_with = "csv")]
     json: bool,
-    /// Print comma-separated values, every metric a column.
+    /// Print comma-separated values, with one column for each metric.
     #[arg(long)]
     csv: bool,
-    /// Print every budget in the table, not the Pareto front alone.
+    /// Print every budget in the table, not only the Pareto front.
     #[arg(long)]
     all: bool,
     #[command(flatten)]
@@ -77,17 +79,18 @@ pub(crate) struct SpaceArguments {
     /// The profile to vary: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     pub(crate) profile: String,
-    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles; again for each further one.
+    /// A scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles; repeat the option for
+    /// more scenes.
     #[arg(long = "scene", value_name = "S", default_value = "knot")]
     pub(crate) scenes: Vec<String>,
-    /// A field and its values, such as interpolation=6..13 or rounding=floor,nearest-even; again
-    /// for each further one. `guardbit explore --vary help` lists the fields.
+    /// A field and its values, for example interpolation=6..13 or rounding=floor,nearest-even; repeat the
+    /// option for more fields. `guardbit explore --vary help` lists the fields.
     #[arg(long = "vary", value_name = "FIELD=VALUES")]
     pub(crate) axes: Vec<String>,
-    /// Window, as WIDTHxHEIGHT; the profile's by default, at most 1024 x 1024.
+    /// Window as WIDTHxHEIGHT; by default the window of the profile, but at most 1024 x 1024.
     #[arg(long, value_parser = super::parse_size)]
     pub(crate) window: Option<(u32, u32)>,
-    /// Worker threads.
+    /// Number of worker threads.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub(crate) threads: Option<u16>,
 }
@@ -119,7 +122,9 @@ impl SpaceArguments {
         for source in &self.scenes {
             let scene = scene::load(source, &model.viewport())?;
             if scene.triangles.is_empty() {
-                return Err(Failure::input(format!("{source}: it has no triangles to measure")));
+                return Err(Failure::input(format!(
+                    "{source}: the scene has no triangles to measure"
+                )));
             }
             scenes.push(Reference::new(scene, &base));
         }
@@ -134,8 +139,9 @@ pub(crate) fn in_words_budget(name: &str, value: impl std::fmt::Display) -> Stri
 
 /// The metric of a name.
 pub(crate) fn parse_metric(name: &str) -> Result<Metric, String> {
-    Metric::find(name)
-        .ok_or_else(|| format!("no metric of that name: there are {}", metric::names()))
+    Metric::find(name).ok_or_else(|| {
+        format!("there is no metric of this name; the metrics are {}", metric::names())
+    })
 }
 
 /// What a bare `explore` varies: bits that matter on every scene.

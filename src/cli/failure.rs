@@ -1,4 +1,4 @@
-//! Errors on their way to a person: one `error:` line, a hint, an exit status.
+//! How the command reports an error: one `error:` line, a hint, an exit status.
 
 use guardbit::profile::ProfileError;
 use guardbit::scene::SceneError;

@@ -22,39 +22,41 @@ use report::Report;
 use std::path::PathBuf;
 use std::sync::atomic::Ordering;
 
-/// Find the cheapest budget of a space that meets tolerances on scenes, proved cheapest, with a
-/// witness that one bit less fails for each field.
+/// Find the cheapest budget of a search space that meets tolerances on scenes.
+///
+/// The command proves that no cheaper budget of the space meets the tolerances. For each field, it prints a
+/// counterexample: a triangle that fails with one bit fewer.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(flatten)]
     space: SpaceArguments,
-    /// A figure and the most it may be, such as depth-worst=0.5; again for each further one. Where
-    /// they are not named, misclassified=0, wraps=0 and snap-refused=0 hold as well; depth-worst=0.5
-    /// where nothing is named.
+    /// A metric and its largest allowed value, for example depth-worst=0.5; repeat the option for more
+    /// tolerances. misclassified=0, wraps=0 and snap-refused=0 always apply, unless you give other
+    /// limits for them. Without --within, depth-worst=0.5 applies, too.
     #[arg(long = "within", value_name = "METRIC=LIMIT", value_parser = parse_tolerance)]
     tolerances: Vec<Tolerance>,
-    /// What is to be small, one of the metrics of cost.
+    /// The cost metric to minimise.
     #[arg(long, value_name = "METRIC", default_value = "area", value_parser = parse_metric)]
     cost: Metric,
-    /// Every larger budget of the space has to meet the tolerances as well.
+    /// Accept a budget only if every larger budget of the space also meets the tolerances.
     #[arg(long)]
     robust: bool,
-    /// Measure every budget instead: slower, and the same answer.
+    /// Measure every budget and leave none out: slower, with the same result.
     #[arg(long, conflicts_with_all = ["robust", "merge"])]
     exhaustive: bool,
-    /// Write the fitted profile to FILE, as TOML.
+    /// Write the profile with the found budget to FILE, as TOML.
     #[arg(long, value_name = "FILE")]
     profile_out: Option<PathBuf>,
-    /// Search one part of the space, I/N with I from 0; join the parts with --merge.
+    /// Search part I of N parts of the space, as I/N; I starts at 0. Join the parts with --merge.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     shard: Option<Shard>,
-    /// Write the answer to FILE as JSON: what --merge reads.
+    /// Write the result to FILE as JSON, for --merge.
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
-    /// Join the answers of all parts, as saved for this same request.
+    /// Join the results of all parts, which --save wrote for the same request.
     #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with = "shard")]
     merge: Vec<PathBuf>,
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -62,14 +64,18 @@ pub(crate) struct Arguments {
 /// `METRIC=LIMIT`.
 fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
     let (name, limit) =
-        text.split_once('=').ok_or("a tolerance looks like depth-worst=0.5: METRIC=LIMIT")?;
+        text.split_once('=').ok_or("a tolerance is METRIC=LIMIT, for example depth-worst=0.5")?;
     let metric = parse_metric(name.trim())?;
     if !metric.is_accuracy() {
-        return Err(format!("{name} is no figure of accuracy: name a cost with --cost"));
+        return Err(format!(
+            "{name} is not an accuracy metric; --within needs an accuracy metric, and --cost takes a cost metric"
+        ));
     }
     match limit.trim().parse::<f64>() {
         Ok(limit) if limit >= 0.0 && limit.is_finite() => Ok(Tolerance { metric, limit }),
-        _ => Err(format!("{limit:?}: a limit is a number, 0 or more: errors are sizes")),
+        _ => Err(format!(
+            "{limit:?}: a limit is a finite number >= 0, because errors are absolute values"
+        )),
     }
 }
 
@@ -108,14 +114,15 @@ fn with_defaults(mut tolerances: Vec<Tolerance>) -> Vec<Tolerance> {
 /// Refuses an answer about nothing, and says which tolerance has no figure to hold.
 fn look_for_nothing(best: &Best, tolerances: &[Tolerance]) -> Result<(), Failure> {
     if best.accuracy.samples == 0 {
-        let message = "the scenes cover no sample of the window: any budget would do";
+        let message =
+            "the scenes cover no sample of the window, so every budget meets the tolerances";
         return Err(Failure::input(message).hint("choose another --scene or --window"));
     }
     for Tolerance { metric, limit } in tolerances {
         if metric.of_accuracy(&best.accuracy).is_none() {
             let name = metric.name;
             eprintln!(
-                "note: {name} <= {limit} holds for want of a figure: nothing drawn has depth"
+                "note: {name} <= {limit} is not checked, because nothing in the scenes has depth"
             );
         }
     }
@@ -133,8 +140,11 @@ fn refuse_own_depth(sweep: &guardbit::explore::sweep::Sweep) -> Result<(), Failu
     });
     match own {
         Some(name) => {
-            let message = format!("form = {name}: its depth is no plane, and fit proves by planes");
-            Err(Failure::input(message).hint("explore measures every machine, budget by budget"))
+            let message = format!(
+                "form = {name}: this machine does not walk a depth plane, but the proofs of fit are about planes"
+            );
+            Err(Failure::input(message)
+                .hint("use `guardbit explore`: it measures every machine, budget by budget"))
         }
         None => Ok(()),
     }
@@ -145,8 +155,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return columns_help();
     }
     if !arguments.cost.is_cost() {
-        let message = format!("--cost {}: not known from the bits alone", arguments.cost.name);
-        return Err(Failure::input(message).hint("costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits, setup-bits"));
+        let message = format!(
+            "--cost {}: this metric is not a cost that follows from the bit widths alone",
+            arguments.cost.name
+        );
+        return Err(Failure::input(message).hint("the costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits and setup-bits"));
     }
     let sweep = arguments.space.sweep(default_axes)?;
     refuse_own_depth(&sweep)?;
@@ -168,7 +181,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
         })?;
         let Some(found) = found else {
-            return Err(Failure::interrupted("interrupted: nothing was found by then"));
+            return Err(Failure::interrupted("interrupted: the search had no result yet"));
         };
         if let Some(best) = &found.best {
             look_for_nothing(best, &request.tolerances)?;
@@ -212,7 +225,7 @@ fn announce(sweep: &Sweep) -> Result<(), Failure> {
     if all > PATIENCE {
         let (budgets, time) = (sweep.space.len(), in_words(all));
         eprintln!(
-            "note: measuring all {budgets} budgets would take about {time}; a search leaves most out"
+            "note: measuring all {budgets} budgets would take about {time}; the search usually measures only a few"
         );
     }
     Ok(())
@@ -226,20 +239,27 @@ fn impossible(least: &[Least]) -> Failure {
     };
     let out_of_reach: Vec<&Least> = least.iter().filter(|l| l.value > l.limit).collect();
     let Some(first) = out_of_reach.first() else {
-        let message = "no budget of this space meets all tolerances, though each can be met alone";
+        let message = "no budget of this space meets all tolerances together; each tolerance can be met alone";
         let each: Vec<String> = least
             .iter()
             .map(|l| format!("{} {} at {}", l.metric.name, l.value, named(&l.budget)))
             .collect();
-        return Failure::input(message)
-            .hint(&format!("the least of each: {}; widen the space with --vary", each.join("; ")));
+        return Failure::input(message).hint(&format!(
+            "the smallest value of each: {}; search a larger space with --vary",
+            each.join("; ")
+        ));
     };
     let all: Vec<String> = out_of_reach
         .iter()
-        .map(|l| format!("{} <= {}: the least is {}", l.metric.name, l.limit, l.value))
+        .map(|l| {
+            format!(
+                "{} <= {}: the smallest value in the space is {}",
+                l.metric.name, l.limit, l.value
+            )
+        })
         .collect();
     Failure::input(format!("no budget of this space meets {}", all.join("; "))).hint(&format!(
-        "the nearest for {} is at {}; allow that much, or widen the space with --vary",
+        "the smallest {} is at {}; raise the limit, or search a larger space with --vary",
         first.metric.name,
         named(&first.budget)
     ))

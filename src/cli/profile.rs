@@ -6,7 +6,7 @@ use super::output::Output;
 use clap::Subcommand;
 use guardbit::profile::{self, BUILTIN};
 
-/// The built-in profiles as TOML, and the JSON schema of profile files.
+/// List the built-in profiles, print a profile as TOML, or print the JSON schema of profile files.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     #[command(subcommand)]
@@ -15,22 +15,22 @@ pub(crate) struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Action {
-    /// The built-in profiles, one a line.
+    /// List the built-in profiles, one on each line.
     List,
-    /// A profile as TOML: a good start for one of your own.
+    /// Print a profile as TOML: a good start for your own profile.
     Show {
-        /// A built-in name or a TOML file.
+        /// The profile: a built-in name or a TOML file.
         profile: String,
         #[arg(long, value_name = "NAME", value_parser = super::compare::parse_machine, help = machines())]
         machine: Option<&'static str>,
     },
-    /// The JSON schema of profile files.
+    /// Print the JSON schema of profile files.
     Schema,
 }
 
 fn machines() -> String {
     let names: Vec<&str> = profile::triangle_machines().map(|kind| kind.name).collect();
-    format!("The same with another machine: {}", names.join(", "))
+    format!("Print the profile with another machine: {}", names.join(", "))
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {

@@ -1,4 +1,4 @@
-//! `guardbit prove`: how few bits are enough for a whole window, and how that is known.
+//! `guardbit prove`: how few bits are enough for a whole window, with proofs.
 
 use super::Outcome;
 use super::failure::Failure;
@@ -10,47 +10,48 @@ use std::fmt::Write as _;
 use std::path::PathBuf;
 use std::time::Duration;
 
-/// How few bits are enough for a whole window and guard band: bounds, and for one bit fewer a
-/// triangle that the model draws wrong.
+/// Prove how few bits are enough for a whole window and guard band.
 ///
-/// Exit status 1 when the profile has too few bits for a claim, or a prover disagrees.
+/// For each claim, the command prints a bound, and a counterexample for one bit fewer: a triangle that the
+/// model draws wrong. Exit status 1 if the profile has too few bits for a claim, or if a prover disagrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// Only claims whose name begins so, such as `edge.` or `depth.interpolation`.
+    /// Prove only the claims whose name begins with PREFIX, for example `edge.` or `depth.interpolation`.
     #[arg(long, value_name = "PREFIX", default_value = "")]
     claim: String,
-    /// Edge widths of the usual windows instead of a profile's claims.
+    /// Print a table of edge widths for the usual windows, instead of the claims of a profile.
     #[arg(long, conflicts_with_all = ["profile", "window", "guard_band", "sub_pixel", "depth_bits"])]
     table: bool,
-    /// Window size instead of the profile's.
+    /// Window as WIDTHxHEIGHT; replaces the window of the profile.
     #[arg(long, value_name = "WxH", value_parser = super::parse_size)]
     window: Option<(u32, u32)>,
-    /// Vertices lie within this many pixels of the window, whatever the profile's field.
+    /// Guard band: vertices are at most this number of pixels outside the window. Replaces the limits of
+    /// the vertex field of the profile.
     #[arg(long, value_name = "PIXELS")]
     guard_band: Option<u32>,
-    /// Sub-pixel bits instead of the profile's.
+    /// Number of sub-pixel bits; replaces the value of the profile.
     #[arg(long, value_name = "BITS")]
     sub_pixel: Option<u32>,
-    /// Depth bits instead of the profile's.
+    /// Number of depth bits; replaces the value of the profile.
     #[arg(long, value_name = "BITS")]
     depth_bits: Option<u32>,
-    /// Write the claims as SMT-LIB 2.6.
+    /// Write the claims to this file as SMT-LIB 2.6.
     #[arg(long, value_name = "FILE")]
     smt: Option<PathBuf>,
-    /// Write the claims as a Gappa script.
+    /// Write the claims to this file as a Gappa script.
     #[arg(long, value_name = "FILE")]
     gappa: Option<PathBuf>,
-    /// Ask z3 and gappa, where they are installed.
+    /// Check the claims with z3 and gappa, if they are installed.
     #[arg(long)]
     check: bool,
-    /// Stop a prover that takes longer over one claim.
+    /// Stop a prover after this time for one claim.
     #[arg(long, value_name = "SECONDS", default_value_t = 60,
           value_parser = clap::value_parser!(u64).range(1..=86_400))]
     limit: u64,
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -107,7 +108,7 @@ fn ask(arguments: &Arguments) -> Result<(String, Vec<Proof>), Failure> {
     let (about, mut proofs) = if arguments.table {
         let rows = prove::table().map_err(Failure::input)?;
         let proofs = rows.into_iter().flat_map(|row| [row.stored, row.full]).collect();
-        ("Bits that hold an edge function, whole and without its low s bits:".to_owned(), proofs)
+        ("Number of bits for the whole edge function (full), and without its low s bits (stored):".to_owned(), proofs)
     } else {
         let profile = profile::load(&arguments.profile)?;
         let Arguments { window, guard_band, sub_pixel, depth_bits, .. } = *arguments;
@@ -121,22 +122,23 @@ fn ask(arguments: &Arguments) -> Result<(String, Vec<Proof>), Failure> {
     names.dedup();
     proofs.retain(|proof| proof.claim.starts_with(&arguments.claim));
     if proofs.is_empty() {
-        let message = format!("--claim {:?}: no claim's name begins so", arguments.claim);
-        return Err(Failure::input(message).hint(&format!("there are {}", names.join(", "))));
+        let message =
+            format!("--claim {:?}: the name of no claim begins with this text", arguments.claim);
+        return Err(Failure::input(message).hint(&format!("the claims are {}", names.join(", "))));
     }
     Ok((about, proofs))
 }
 
 fn write_files(arguments: &Arguments, proofs: &[Proof]) -> Result<(), Failure> {
     if arguments.smt.is_some() && arguments.smt == arguments.gappa {
-        return Err(Failure::input("--smt and --gappa name the same file"));
+        return Err(Failure::input("--smt and --gappa name the same file: give two file names"));
     }
     let gappa = match &arguments.gappa {
         Some(path) => Some((
             path,
             prove::gappa(proofs).ok_or_else(|| {
-                Failure::input("--gappa: none of these claims is one that Gappa takes")
-                    .hint("edge.full, edge.stored and depth.interpolation are")
+                Failure::input("--gappa: Gappa cannot check any of the selected claims")
+                    .hint("Gappa can check edge.full, edge.stored and depth.interpolation")
             })?,
         )),
         None => None,
@@ -160,8 +162,8 @@ fn check(proofs: &[Proof], limit: u64) -> Result<Vec<Check>, Failure> {
             let Some(made) = made else { continue };
             if made.answer == Answer::Missing {
                 eprintln!(
-                    "note: {0} is not on the search path, so its checks are left out; it is the \
-                     package {0} of Debian, Homebrew and others",
+                    "note: {0} is not on the search path, so no claim is checked with {0}; install the \
+                     package {0} (Debian, Homebrew and others)",
                     solver.name()
                 );
                 break;
@@ -174,7 +176,7 @@ fn check(proofs: &[Proof], limit: u64) -> Result<Vec<Check>, Failure> {
 
 fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
     for proof in proofs {
-        let bits = proof.bits.map_or("no number of bits".to_owned(), count);
+        let bits = proof.bits.map_or("no number of bits is enough".to_owned(), count);
         let given = proof.given.map_or(String::new(), |given| format!(", the profile has {given}"));
         output.line("")?;
         output.line(format!(
@@ -185,12 +187,12 @@ fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
         ))?;
         output.text(wrap(&proof.statement))?;
         output.text(wrap(&format!("bound: {}", proof.bound)))?;
-        let none = "witness: none known, so the bound is not known to be tight";
+        let none = "counterexample: none known, so the bound may not be tight";
         output.text(match (&proof.witness, proof.bits) {
             (Some(witness), _) => wrap(&describe(witness)),
-            (None, Some(0)) => wrap("witness: there are no fewer bits"),
+            (None, Some(0)) => wrap("counterexample: not possible, 0 bits are enough"),
             (None, Some(_)) => wrap(none),
-            (None, None) => wrap("witness: none known"),
+            (None, None) => wrap("counterexample: none known"),
         })?;
     }
     Ok(())
@@ -206,7 +208,7 @@ fn describe(witness: &Witness) -> String {
         let texts: Vec<String> = list.iter().map(|[x, y]| format!("({x}, {y})")).collect();
         texts.join(" ")
     };
-    let mut text = format!("witness, {}:", count(witness.bits));
+    let mut text = format!("counterexample with {}:", count(witness.bits));
     if !witness.triangle.is_empty() {
         let _ = write!(text, " triangle {} in sub-pixels", points(&witness.triangle));
     }
@@ -219,21 +221,22 @@ fn describe(witness: &Witness) -> String {
     if let Some(pixel) = witness.pixel {
         let _ = write!(text, ", pixel {}", points(&[pixel]));
     }
-    let by = if witness.by == "model" { "the model draws" } else { "a word of them reads" };
+    let by = if witness.by == "model" { "the model draws" } else { "a word of this width gives" };
     text + &format!(". Exactly: {}; {by}: {}", witness.expected, witness.got)
 }
 
 fn print_table(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
     output.line(format!(
         "{:<16} {:<12} {:>4}  {}",
-        "row", "claim", "bits", "one bit fewer, in sub-pixels"
+        "row", "claim", "bits", "counterexample for one bit fewer, in sub-pixels"
     ))?;
     for proof in proofs {
-        let fewer = proof.witness.as_ref().map_or("not known to fail".to_owned(), |witness| {
-            let sample = witness.sample.unwrap_or_default();
-            let [from, to] = witness.edge.unwrap_or_default();
-            format!("edge {from:?} to {to:?} at {sample:?}: {}", witness.got)
-        });
+        let fewer =
+            proof.witness.as_ref().map_or("no counterexample known".to_owned(), |witness| {
+                let sample = witness.sample.unwrap_or_default();
+                let [from, to] = witness.edge.unwrap_or_default();
+                format!("edge {from:?} to {to:?} at {sample:?}: {}", witness.got)
+            });
         let row = proof.row.as_deref().unwrap_or_default();
         let bits = proof.bits.map_or("none".to_owned(), |bits| bits.to_string());
         output.line(format!("{row:<16} {:<12} {bits:>4}  {fewer}", proof.claim))?;
@@ -249,8 +252,8 @@ fn print_checks(output: &mut Output, checks: &[Check]) -> Result<(), Failure> {
         let answer = match &check.answer {
             Answer::Agrees => "agrees".to_owned(),
             Answer::Differs(said) => format!("DISAGREES: {said}"),
-            Answer::TimedOut => "STOPPED at its limit".to_owned(),
-            Answer::Missing => "is not there".to_owned(),
+            Answer::TimedOut => "STOPPED at the time limit".to_owned(),
+            Answer::Missing => "is not installed".to_owned(),
         };
         let (name, claim, seconds) = (check.solver.name(), &check.claim, check.seconds);
         output.line(format!("{name:<6} {claim:<24} {seconds:>6.2} s  {answer}"))?;

@@ -14,42 +14,43 @@ use guardbit::profile;
 use guardbit::setup::{Snapped, Triangle};
 use std::path::PathBuf;
 
-/// Draw a scene through a profile: image, depth, coverage, or error against the exact truth.
+/// Draw a scene with a profile as PNG: image, depth, coverage, or error against the exact result.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles.
+    /// The scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles.
     #[arg(long, default_value = "knot")]
     scene: String,
-    /// What to show.
+    /// What the picture shows.
     #[arg(long, value_enum, default_value_t = Show::Image)]
     show: Show,
     /// The PNG file.
     #[arg(long, value_name = "FILE", default_value = "guardbit.png")]
     out: PathBuf,
-    /// Window, as WIDTHxHEIGHT; the profile's by default, at most 1024 x 1024.
+    /// Window as WIDTHxHEIGHT; by default the window of the profile, but at most 1024 x 1024.
     #[arg(long, value_parser = super::parse_size)]
     window: Option<(u32, u32)>,
-    /// Draw only pixels [X0, X1) by [Y0, Y1), as X0,Y0,X1,Y1.
+    /// Draw only the pixels with X0 <= x < X1 and Y0 <= y < Y1, given as X0,Y0,X1,Y1.
     #[arg(long, value_parser = super::parse_rect)]
     scissor: Option<guardbit::cover::Rect>,
-    /// Picture pixels a pixel; by default small windows are enlarged to about 256.
+    /// Size of one window pixel in pixels of the picture; by default, small windows are enlarged to
+    /// about 256 pixels.
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=256))]
     zoom: Option<u32>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Show {
-    /// Lit by the depth gradient, nearest surface.
+    /// The nearest surface, with shading from its depth gradient.
     Image,
-    /// Nearest depth, near is bright.
+    /// The nearest depth; near surfaces are bright.
     Depth,
-    /// Samples hit: once green, twice yellow, more often toward red.
+    /// How often each sample is drawn: once is green, twice is yellow, more is closer to red.
     Coverage,
-    /// Worst depth error a pixel, blue 0 to red the worst of the picture; white is a missing
-    /// sample, magenta one too many.
+    /// The worst depth error in each pixel, from blue (0) to red (the worst of the picture). A missing
+    /// sample is white, an extra sample is magenta.
     Error,
 }
 
@@ -120,7 +121,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (width, height) = (profile.window.width, profile.window.height);
     let zoom = arguments.zoom.unwrap_or_else(|| (256 / width.max(height)).max(1));
     if u64::from(width) * u64::from(height) * u64::from(zoom).pow(2) > 1 << 26 {
-        let hint = "name a smaller --window or --zoom";
+        let hint = "choose a smaller --window or --zoom";
         return Err(Failure::input("a picture has at most 2^26 pixels").hint(hint));
     }
     let scene = sets::snap_scene(&profile, &arguments.scene)?;

@@ -1,4 +1,4 @@
-//! A sweep as one page: charts that answer, a table, error maps. It asks nothing of a network.
+//! A sweep as one HTML page: interactive charts, a table, error maps. The page needs no network.
 
 mod data;
 mod map;
@@ -199,7 +199,9 @@ impl Page<'_> {
             let mut maps = Vec::new();
             for record in chosen {
                 if monitor.cancel.load(Ordering::Relaxed) {
-                    return Err(Failure::interrupted("interrupted while drawing error maps"));
+                    return Err(Failure::interrupted(
+                        "interrupted while the error maps were drawn",
+                    ));
                 }
                 maps.extend(map::draw(self.sweep, record.index)?);
                 done.fetch_add(1, Ordering::Relaxed);
@@ -216,7 +218,7 @@ impl Page<'_> {
             let [missing, extra] = map.wrong;
             let pooled = match map.block {
                 1 => String::new(),
-                block => format!("; a dot is the worst of {block} × {block} pixels"),
+                block => format!("; each dot shows the worst of {block} × {block} pixels"),
             };
             let [width, height] = map.size;
             let caption = format!(
@@ -237,7 +239,7 @@ impl Page<'_> {
             );
         }
         if maps.is_empty() {
-            out.push_str("<p>No maps were asked for: --maps N draws N of them.</p>\n");
+            out.push_str("<p>This page has no error maps; use --maps N to draw N maps.</p>\n");
         }
         Ok(out)
     }
@@ -247,14 +249,14 @@ impl Page<'_> {
         let varied = self.varied();
         let fields = record.budget.iter().filter(|(name, _)| varied.contains(name));
         let words: Vec<String> = fields.map(|(name, value)| format!("{name} {value}")).collect();
-        if words.is_empty() { "the profile as it is".to_owned() } else { words.join(", ") }
+        if words.is_empty() { "the profile without changes".to_owned() } else { words.join(", ") }
     }
 }
 
 /// What the colours of a map stand for.
 fn scale_bar(map: &Map) -> String {
     if map.worst == 0.0 {
-        return "<p class=\"note\">Blue is covered, and without depth error.</p>".to_owned();
+        return "<p class=\"note\">Blue: covered, without depth error.</p>".to_owned();
     }
     let stops: Vec<String> =
         map::colours().step_by(9).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();

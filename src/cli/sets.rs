@@ -1,4 +1,4 @@
-//! What `vectors`, `render` and `trace` share: a profile and a scene brought to its grid.
+//! Code that `vectors`, `render` and `trace` share: a profile, and a scene snapped to its grid.
 
 use super::failure::Failure;
 use guardbit::model::{Model, View};
@@ -38,11 +38,11 @@ pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<SnappedScene
         }
     }
     if triangles.is_empty() {
-        let why = first.unwrap_or_else(|| "it has no triangles".to_owned());
-        return Err(Failure::input(format!("{source}: nothing left to draw: {why}")));
+        let why = first.unwrap_or_else(|| "the scene has no triangles".to_owned());
+        return Err(Failure::input(format!("{source}: no triangle can be drawn: {why}")));
     }
     if let Some(first) = first {
-        eprintln!("note: {source}: {refused} triangles left out; the first: {first}");
+        eprintln!("note: {source}: {refused} triangles are left out; the first reason: {first}");
     }
     let stem = Path::new(source).file_stem().map(|stem| stem.to_string_lossy().into_owned());
     Ok(SnappedScene { name: stem.unwrap_or_else(|| source.to_owned()), triangles, refused })

@@ -1,4 +1,4 @@
-//! `guardbit speed`: the speed side of the trade, as ratios in one run.
+//! `guardbit speed`: speed as ratios within one run.
 
 use super::Outcome;
 use super::failure::Failure;
@@ -7,26 +7,27 @@ use super::plot::{Chart, Series, svg};
 use guardbit::measure::speed::{self, Report, Section, TradeRow};
 use std::path::PathBuf;
 
-/// Time kernels and machines, on one thread, as ratios within this run.
+/// Measure the speed of kernels and machines on one thread, as ratios within this run.
 ///
-/// Ratios, not times: the two sides of a ratio take turns, and the median of their ratios is
-/// printed. Sections: "ratios" holds the kernels against plain loops at every processor level of
-/// this machine; "lanes" the depth walk by machine integer and width; "forms" edge function and edge
-/// walk by triangle size, event log off and on; "trade" speed against accuracy by interpolation
-/// bits; "fill" coverage and depth written to memory by the quickest exact path; "registers" the
-/// machines that begin at registers.
+/// The results are ratios, because times differ between computers. The two sides of a ratio run in
+/// turns, and the command prints the median of the ratios. Sections: "ratios" compares the kernels with
+/// plain loops at every processor level of this computer; "lanes" measures the depth walk for each
+/// integer type and width; "forms" measures edge function and edge walk for several triangle sizes, with
+/// the event log off and on; "trade" shows speed against accuracy for each number of interpolation bits;
+/// "fill" writes coverage and depth to memory by the fastest exact path; "registers" measures the
+/// register-level machines.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// Pairs of passes per figure: more take longer and scatter less.
+    /// Number of measured pairs for each ratio. A larger number takes longer and gives less scatter.
     #[arg(long, default_value_t = 31, value_parser = clap::value_parser!(u16).range(1..=10_000))]
     repeats: u16,
-    /// Measure these sections only: ratios, lanes, forms, trade, fill, registers.
+    /// Measure only these sections: ratios, lanes, forms, trade, fill, registers.
     #[arg(long, value_name = "SECTIONS", value_delimiter = ',', value_parser = parse_section)]
     only: Vec<Section>,
-    /// Draw the section "trade" as a chart into this SVG file.
+    /// Write a chart of the section "trade" to this SVG file.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// Print JSON.
+    /// Print the report as JSON.
     #[arg(long)]
     json: bool,
 }
@@ -35,7 +36,7 @@ fn parse_section(text: &str) -> Result<Section, String> {
     let named = Section::ALL.into_iter().find(|section| section.name() == text);
     named.ok_or_else(|| {
         let names = Section::ALL.map(Section::name);
-        format!("no section of that name; there are {}", names.join(", "))
+        format!("there is no section of this name; the sections are {}", names.join(", "))
     })
 }
 
@@ -43,8 +44,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let only = &arguments.only[..];
     let sections = if only.is_empty() { &Section::ALL[..] } else { only };
     if arguments.svg.is_some() && !sections.contains(&Section::Trade) {
-        return Err(Failure::input("--svg draws the section trade, which --only leaves out")
-            .hint("add trade to --only"));
+        return Err(Failure::input(
+            "--svg draws the section trade, but --only does not select this section",
+        )
+        .hint("add trade to --only"));
     }
     let report = speed::measure(usize::from(arguments.repeats), sections);
     if let Some(path) = &arguments.svg {
@@ -180,17 +183,17 @@ fn chart(rows: &[TradeRow]) -> Chart {
         }
     }
     Chart {
-        title: "Depth walk: time against error, by interpolation bits".to_owned(),
-        x_label: "largest error over a 1024 x 512 window, ULP".to_owned(),
-        y_label: "time a sample, ratio to a plain 39-bit loop".to_owned(),
+        title: "Depth walk: time against error for each number of interpolation bits".to_owned(),
+        x_label: "largest error in a 1024 x 512 window, ULP".to_owned(),
+        y_label: "time per sample, as a ratio to a plain 39-bit loop".to_owned(),
         log_x: true,
         log_y: true,
         series,
         line: true,
-        caption: "Numbers at the points are interpolation bits below 2 guard and 24 depth bits; \
-                  each colour is the narrowest machine integer that holds the word. Times are \
-                  medians of interleaved pairs on one thread of this machine; errors are measured \
-                  against the exact plane. Lower and further left is better."
+        caption: "The number at each point is the number of interpolation bits, next to 2 guard bits and \
+                  24 depth bits. The colour is the narrowest integer type that holds the word. Times \
+                  are medians of interleaved pairs on one thread of this computer. Errors are \
+                  measured against the exact plane. Points further down and further left are better."
             .to_owned(),
     }
 }

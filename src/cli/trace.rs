@@ -12,27 +12,27 @@ use guardbit::vector::plan::{find_test, test_id};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// One walk or triangle, step by step, bit by bit: text, and VCD or FST for a wave viewer.
+/// Show one test step by step and bit by bit: as text, and as VCD or FST for a wave viewer.
 ///
-/// Signals carry the names of the vector columns, so a device's dump lines up beside them.
+/// The signals have the names of the vector columns, so you can compare them with the waves of a device.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// Which test, as vectors --only takes it.
+    /// The id of the test, as for `vectors --only`.
     #[arg(long, value_name = "ID", default_value = "dda/guard-boundary/0")]
     test: String,
-    /// The scene behind scene tests.
+    /// The scene of the tests that draw a scene.
     #[arg(long, default_value = "knot")]
     scene: String,
-    /// Rows of each walk file of the set that the test belongs to.
+    /// Number of rows of each walk file of the set that contains the test.
     #[arg(long, value_name = "N", default_value_t = 100_000)]
     count: u64,
-    /// Seed of the random classes.
+    /// Seed of the random tests.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Write a Value Change Dump.
+    /// Write a VCD wave file (Value Change Dump).
     #[arg(long, value_name = "FILE")]
     vcd: Option<PathBuf>,
     /// Write an FST wave file.
@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let found =
         benches.iter().find_map(|bench| Some((bench, find_test(&**bench, &arguments.test)?)));
     let Some((bench, at)) = found else {
-        let hint = "an id is BENCH/CLASS/INDEX; `guardbit vectors --only none` lists the classes";
+        let hint = "the id of a test is BENCH/CLASS/INDEX; `guardbit vectors --only none` lists the classes";
         return Err(Failure::input(format!("no test {:?}", arguments.test)).hint(hint));
     };
     let files = emit::test_rows(&**bench, at);

@@ -1,4 +1,4 @@
-//! `guardbit vectors`: the main job.
+//! `guardbit vectors`: writes golden test vectors.
 
 use super::Outcome;
 use super::failure::Failure;
@@ -15,81 +15,82 @@ use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Golden vectors and everything a bench needs. Every argument has a default.
+/// Write golden test vectors with packages, testbenches and a manifest.
 ///
-/// Without PROFILE: the default profile and its variants with 1 to 4 guard bits, each a folder of
-/// its own below DIR. With PROFILE: that profile's set, in DIR itself.
+/// Every argument has a default. Without PROFILE, the command writes one set for the default profile
+/// and one for each of its variants with 1 to 4 guard bits; each set has its own folder in DIR. With
+/// PROFILE, it writes the set of this profile into DIR itself.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// A built-in name or a TOML file.
+    /// The profile: a built-in name or a TOML file.
     profile: Option<String>,
-    /// A built-in scene, an OBJ mesh, or a JSON Lines file of triangles.
+    /// The scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles.
     #[arg(long, default_value = "knot")]
     scene: String,
-    /// Where the set goes; `-` streams one file to standard output.
+    /// Folder of the set; `-` writes one file to standard output (see --file).
     #[arg(long, value_name = "DIR", default_value = "guardbit-vectors")]
     out: PathBuf,
-    /// Rows of each walk file (dda.exp, edge.exp); the other benches grow with it.
+    /// Number of rows of each walk file (dda.exp, edge.exp). The other files grow in proportion.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     count: Option<u64>,
-    /// Size by the rate of simulators, where no --count is given.
+    /// Size of the set if there is no --count.
     #[arg(long, value_enum, default_value_t = Size::Regress)]
     size: Size,
-    /// Seed of the random classes.
+    /// Seed of the random tests.
     #[arg(long, default_value_t = 1)]
     seed: u64,
-    /// Also write the variants with 1 to 4 guard bits of a named profile.
+    /// Also write sets for the variants of PROFILE with 1 to 4 guard bits.
     #[arg(long)]
     variants: bool,
-    /// Window instead of the profile's, as WIDTHxHEIGHT.
+    /// Window as WIDTHxHEIGHT; replaces the window of the profile.
     #[arg(long, value_parser = super::parse_size)]
     window: Option<(u32, u32)>,
-    /// One part of the set, as I/N with I from 0; the parts joined equal the whole.
+    /// Write part I of N parts, as I/N; I starts at 0. All parts together are equal to the whole set.
     #[arg(long, value_name = "I/N", value_parser = parse_shard)]
     shard: Option<Shard>,
-    /// Row format.
+    /// Format of the rows.
     #[arg(long, value_enum, default_value_t = Format::Tv)]
     format: Format,
-    /// Compress vector files with zstd.
+    /// Compress the vector files with zstd.
     #[arg(long)]
     zstd: bool,
-    /// Print the rows of one test, such as dda/guard-boundary/17.
+    /// Print only the rows of this test, for example dda/guard-boundary/17; write no set.
     #[arg(long, value_name = "ID")]
     only: Option<String>,
-    /// Which file `--out -` streams.
+    /// The file that `--out -` writes to standard output.
     #[arg(long, value_name = "NAME", default_value = "dda.exp")]
     file: String,
-    /// Worker threads; the bytes are the same with any number.
+    /// Number of worker threads; the output does not depend on it.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Replace an existing DIR.
+    /// Replace the set in an existing DIR.
     #[arg(long)]
     force: bool,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Size {
-    /// 20 thousand rows: about a second in GHDL.
+    /// 20 thousand rows: about 1 second in GHDL.
     Smoke,
-    /// 100 thousand rows: about a second in Icarus.
+    /// 100 thousand rows: about 1 second in Icarus Verilog.
     Regress,
-    /// 50 million rows: about a minute in Verilator.
+    /// 50 million rows: about 1 minute in Verilator.
     Soak,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum Format {
-    /// Hexadecimal columns joined by `_`: the golden form.
+    /// Hexadecimal columns with `_` between them: the standard format.
     Tv,
-    /// Big-endian, each column padded to whole bytes.
+    /// Binary, big-endian, each column padded to whole bytes.
     Bin,
-    /// Hexadecimal columns joined by commas, one header line.
+    /// Hexadecimal columns with commas between them, and one header line.
     Csv,
-    /// One object a row, words as hexadecimal strings.
+    /// One JSON object for each row, words as hexadecimal strings.
     Jsonl,
-    /// Operands, results and flags, separated by blanks.
+    /// Operands, results and flags, with spaces between them.
     Testfloat,
-    /// The golden form, compressed: the same as --zstd.
+    /// The format tv, compressed: the same as --zstd.
     Zstd,
 }
 
@@ -122,7 +123,7 @@ pub(crate) fn parse_shard(text: &str) -> Result<Shard, String> {
     });
     match parts {
         Some(shard) if shard.index < shard.parts => Ok(shard),
-        _ => Err("a shard looks like 0/4: I/N with 0 <= I < N".to_owned()),
+        _ => Err("a shard is I/N with 0 <= I < N, for example 0/4".to_owned()),
     }
 }
 
@@ -210,15 +211,15 @@ fn write_failure(out: &Path, error: &std::io::Error) -> Failure {
     match error.kind() {
         ErrorKind::AlreadyExists => {
             Failure::input(format!("{} exists and is not empty", out.display()))
-                .hint("choose another --out, or replace it with --force")
+                .hint("choose another folder with --out, or replace the set with --force")
         }
         ErrorKind::DirectoryNotEmpty => {
-            Failure::input(format!("{error}, and --force replaces nothing else"))
-                .hint("move it away, or choose another --out")
+            Failure::input(format!("{error}; --force replaces only a complete set"))
+                .hint("move the folder away, or choose another folder with --out")
         }
         ErrorKind::NotADirectory => {
-            Failure::input(format!("{}: a file is in the way", out.display()))
-                .hint("choose another --out")
+            Failure::input(format!("{}: this is a file, a folder is needed", out.display()))
+                .hint("choose another folder with --out")
         }
         ErrorKind::Interrupted => Failure::interrupted("interrupted: nothing was left behind"),
         _ => Failure::io(&out.display().to_string(), error),
@@ -249,14 +250,16 @@ fn print_test(request: &SetRequest, options: &Options, id: &str) -> Result<Outco
                     .map(|group| format!("{}/{}/0..{}", bench.name(), group.class.tag, group.tests))
             })
             .collect();
-        let message = format!("no test {id:?}: an id is BENCH/CLASS/INDEX");
-        return Err(Failure::input(message).hint(&format!("there are {}", known.join(" "))));
+        let message = format!("no test {id:?}: the id of a test is BENCH/CLASS/INDEX");
+        return Err(Failure::input(message).hint(&format!("the tests are {}", known.join(" "))));
     };
     let specs = emit::files(&**bench, options.format);
     if specs.is_empty() || options.format == RowFormat::Bin {
         let format = options.format.extension();
-        return Err(Failure::input(format!("--format {format}: no lines to print for {id}"))
-            .hint("choose another --format, such as tv"));
+        return Err(Failure::input(format!(
+            "--format {format}: this format has no text lines to print for {id}"
+        ))
+        .hint("choose a text format, for example --format tv"));
     }
     let mut output = Output::new();
     for (spec, lines) in emit::test_lines(&**bench, at, options.format) {
@@ -289,8 +292,8 @@ fn stream(request: &SetRequest, options: &Options, file: &str) -> Result<Outcome
             known.push(spec.stem.clone());
         }
     }
-    let message = format!("--file {file}: this profile has no such file");
-    Err(Failure::input(message).hint(&format!("there are {}", known.join(", "))))
+    let message = format!("--file {file}: the set of this profile has no file of this name");
+    Err(Failure::input(message).hint(&format!("the files are {}", known.join(", "))))
 }
 
 struct StreamOutput {

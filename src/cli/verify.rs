@@ -10,30 +10,30 @@ use guardbit::vector::dump::{self, CompareError, DumpError};
 use guardbit::vector::write::Monitor;
 use std::path::{Path, PathBuf};
 
-/// Check a set against itself, or a device's dump against the set.
+/// Check that a set is complete and unchanged, or compare the dump of a device with a set.
 ///
-/// Exit status 1 when anything is not as it was made, or the dump disagrees.
+/// Exit status 1 if a file of the set has changed, or if the dump differs from the set.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
-    /// The folder of a set, or of several.
+    /// The folder of one set, or a folder with several sets.
     #[arg(default_value = "guardbit-vectors")]
     dir: PathBuf,
-    /// What a device answered, in the form of an exp file.
+    /// The dump: the outputs of a device, in the format of an exp file of the set.
     #[arg(long, value_name = "FILE")]
     dut: Option<PathBuf>,
-    /// Which exp file FILE answers, where its name does not say.
+    /// The exp file to compare the dump with, if the name of the dump does not tell it.
     #[arg(long, value_name = "NAME", requires = "dut")]
     file: Option<String>,
-    /// Derive every expectation again from profile, scene and seed.
+    /// Compute every expected row again from profile, scene and seed, and compare.
     #[arg(long)]
     recompute: bool,
-    /// The profile you believe the set is of.
+    /// Check that the set was made with this profile: a built-in name or a TOML file.
     #[arg(long, value_name = "PROFILE")]
     profile: Option<String>,
-    /// Stop printing mismatches after N.
+    /// Print at most N mismatches.
     #[arg(long, value_name = "N", default_value_t = 20)]
     errors: usize,
-    /// Worker threads.
+    /// Number of worker threads.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -82,7 +82,7 @@ fn compare(
     let [set] = sets else {
         let names: Vec<String> = sets.iter().map(|set| set.folder.display().to_string()).collect();
         let message = format!("{} holds {} sets", arguments.dir.display(), sets.len());
-        let hint = format!("name the one that the dump answers: {}", names.join(", "));
+        let hint = format!("name the folder of one set: {}", names.join(", "));
         return Err(Failure::input(message).hint(&hint));
     };
     let report = progress::watch("comparing", &Monitor::default(), || {
@@ -106,26 +106,27 @@ fn compare(
     let (rows, expected) = (report.rows, report.expected_rows);
     output.line(format!("FAIL: {} mismatches in {rows} rows of {expected}", report.total))?;
     if report.short {
-        output.line("the dump ends before the set does: a simulation that stopped early?")?;
+        output
+            .line("the dump has fewer rows than the set: check if the simulation stopped early")?;
     }
     if let Some(line) = report.cut {
         output.line(format!(
-            "its line {line} ends in the middle of a row: the simulation was stopped there"
+            "line {line} of the dump ends in the middle of a row: the simulation stopped there"
         ))?;
     }
     if report.short && !report.disagrees {
-        output.line("every row of the dump agrees: it only stopped early")?;
+        output.line("every row of the dump agrees; only the rows after its end are missing")?;
         output.flush()?;
         return Ok(Outcome::Mismatch);
     }
     match &report.causes[..] {
         [] => output.line(format!(
-            "cause: none of {} single changes explains the whole dump",
+            "cause unknown: none of {} single changes explains the whole dump",
             report.tried
         ))?,
         [cause] => output.line(format!("likely cause: {cause}"))?,
         several => {
-            output.line("likely cause, each explains the whole dump:")?;
+            output.line("likely causes, each of which explains the whole dump:")?;
             for cause in several {
                 output.line(format!("  {cause}"))?;
             }
@@ -133,7 +134,7 @@ fn compare(
     }
     if report.lost {
         output.line(
-            "all rows that came agree: rows are lost on the way, as by a stream that does not wait",
+            "all rows of the dump agree, but rows are lost on the way: check for a stream that ignores backpressure",
         )?;
     }
     output.flush()?;

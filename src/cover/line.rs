@@ -110,15 +110,17 @@ pub enum LineError {
     #[error("line fraction = {0}: an incremental line has 1 to 60 fraction bits")]
     Fraction(u32),
     /// A factor outside its range.
-    #[error("stipple factor = {0}: 1 to 256")]
+    #[error("stipple factor = {0}: 1 <= factor <= 256 is needed")]
     Factor(u32),
     /// A pattern has no place on a rectangle.
-    #[error("a stipple goes with a rule that walks pixel by pixel, not with rectangle")]
+    #[error(
+        "a stipple needs a line rule that walks pixel by pixel, so it does not work with the rule rectangle"
+    )]
     Stipple,
     /// A rectangle without width, or too large to compare exactly.
     #[error(
-        "line width = {width}, vertex difference bits = {difference}: a rectangle is 1 to 2^24 \
-         sub-pixels wide, and comparing squares takes differences of at most 30 bits"
+        "line width = {width}, vertex difference bits = {difference}: 1 <= line width <= 2^24 \
+         sub-pixels and vertex difference bits <= 30 are needed for the rule rectangle"
     )]
     Rectangle {
         /// The width.

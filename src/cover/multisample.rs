@@ -31,7 +31,7 @@ pub struct MultisampleConfig {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum MultisampleError {
     /// No standard positions for so many.
-    #[error("samples = {0}: there are standard positions for 2, 4, 8 and 16 samples")]
+    #[error("samples = {0}: standard positions exist only for 2, 4, 8 and 16 samples")]
     Count(u32),
     /// The positions are off the sub-pixel grid.
     #[error(
@@ -43,7 +43,9 @@ pub enum MultisampleError {
         sub_pixel: u32,
     },
     /// A single sample is placed as well.
-    #[error("[sample] places a single sample, [multisample] several: leave one of them out")]
+    #[error(
+        "[sample] places one sample in a pixel and [multisample] places several: remove one of the two tables"
+    )]
     Both,
 }
 

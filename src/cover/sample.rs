@@ -20,11 +20,11 @@ pub struct SampleConfig {
 pub enum SampleError {
     /// Without sub-pixel bits the centre is off the lattice.
     #[error(
-        "sub-pixel = 0 has no pixel centre on its lattice: place the sample with [sample] x = 0, y = 0"
+        "sub-pixel = 0: a vertex grid without sub-pixels has no pixel centres; place the sample with [sample] x = 0, y = 0"
     )]
     NoCentre,
     /// Outside the pixel.
-    #[error("{axis} = {value}: a sample lies in its pixel, 0 <= {axis} < 2^{sub_pixel} = {}", 1u64 << sub_pixel)]
+    #[error("{axis} = {value}: a sample must lie in its pixel, 0 <= {axis} < 2^{sub_pixel} = {}", 1u64 << sub_pixel)]
     Outside {
         /// `x` or `y`.
         axis: char,

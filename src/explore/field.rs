@@ -46,7 +46,7 @@ impl Eq for Field {}
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FieldError {
     /// The profile has no such field: an edge width under an edge walk, guard bits without depth.
-    #[error("{0}: this profile has no such field")]
+    #[error("{0}: the profile does not have this field")]
     Absent(&'static str),
     /// The value is of the wrong kind, or unknown.
     #[error("{field} = {value}: {expected}")]

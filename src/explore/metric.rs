@@ -101,11 +101,17 @@ const fn cost(
 const COST: [Metric; 7] = [
     cost("area", "um2", "cell area with ripple-carry adders", |c| c.ripple.area_um2),
     cost("area-prefix", "um2", "cell area with prefix adders", |c| c.prefix.area_um2),
-    cost("delay", "ps", "slowest step with ripple-carry adders", |c| c.ripple.delay_ps),
-    cost("delay-prefix", "ps", "slowest step with prefix adders", |c| c.prefix.delay_ps),
+    cost("delay", "ps", "delay of the slowest step with ripple-carry adders", |c| {
+        c.ripple.delay_ps
+    }),
+    cost("delay-prefix", "ps", "delay of the slowest step with prefix adders", |c| {
+        c.prefix.delay_ps
+    }),
     cost("adder-bits", "bits", "adder bits of all units", |c| f64::from(c.adder_bits)),
     cost("register-bits", "bits", "register bits of all units", |c| f64::from(c.register_bits)),
-    cost("setup-bits", "bits", "widest intermediate of set-up", |c| f64::from(c.setup_bits)),
+    cost("setup-bits", "bits", "bits of the widest intermediate value of set-up", |c| {
+        f64::from(c.setup_bits)
+    }),
 ];
 
 /// Counts of samples, pairs or triangles, one cause of error each.
@@ -131,20 +137,20 @@ fn counted(count: u64) -> Option<f64> {
 }
 
 const COUNTS: [Metric; 14] = counts![
-    "misclassified" arithmetic misclassified "samples" "samples wrongly covered or not",
-    "holes" arithmetic holes "samples" "samples of the scene hit too seldom",
-    "double-hits" arithmetic double_hits "samples" "samples of the scene hit too often",
-    "inversions" arithmetic inversions "pairs" "neighbours in depth that change places",
-    "ties" arithmetic ties "pairs" "neighbours in depth that become equal",
-    "wraps" arithmetic wraps "samples" "depths beyond the guard range",
-    "clamps" arithmetic clamps "samples" "depths held at an end of the range",
-    "snap-misclassified" snap misclassified "samples" "samples won or lost by snapping",
-    "snap-holes" snap holes "samples" "samples hit too seldom by snapping",
-    "snap-double-hits" snap double_hits "samples" "samples hit too often by snapping",
-    "snap-inversions" snap inversions "pairs" "neighbours in depth exchanged by snapping",
-    "snap-ties" snap ties "pairs" "neighbours in depth made equal by snapping",
+    "misclassified" arithmetic misclassified "samples" "samples that are wrongly covered or wrongly not covered",
+    "holes" arithmetic holes "samples" "samples of the scene with too few hits",
+    "double-hits" arithmetic double_hits "samples" "samples of the scene with too many hits",
+    "inversions" arithmetic inversions "pairs" "surfaces adjacent in depth whose order is reversed",
+    "ties" arithmetic ties "pairs" "surfaces adjacent in depth that become equal",
+    "wraps" arithmetic wraps "samples" "depths outside the guard range",
+    "clamps" arithmetic clamps "samples" "depths clamped to an end of the range",
+    "snap-misclassified" snap misclassified "samples" "samples gained or lost by snapping",
+    "snap-holes" snap holes "samples" "samples with too few hits because of snapping",
+    "snap-double-hits" snap double_hits "samples" "samples with too many hits because of snapping",
+    "snap-inversions" snap inversions "pairs" "surfaces adjacent in depth whose order snapping reverses",
+    "snap-ties" snap ties "pairs" "surfaces adjacent in depth that snapping makes equal",
     "snap-refused" snap refused "triangles" "triangles outside the vertex field",
-    "snap-vanished" snap vanished "triangles" "triangles without area once snapped",
+    "snap-vanished" snap vanished "triangles" "triangles without area after snapping",
 ];
 
 macro_rules! spreads {
@@ -165,42 +171,42 @@ fn figure<'a>(
 
 const SPREADS: [Metric; 24] = spreads![
     "depth-worst" arithmetic depth ulp "ULP" worst "worst depth error",
-    "depth-mean" arithmetic depth ulp "ULP" mean "mean depth error, its size",
+    "depth-mean" arithmetic depth ulp "ULP" mean "mean depth error, absolute value",
     "depth-rms" arithmetic depth ulp "ULP" rms "RMS depth error",
     "depth-worst-world" arithmetic depth world "world" worst "worst depth error as a distance",
     "depth-mean-world" arithmetic depth world "world" mean "mean depth error as a distance",
     "depth-rms-world" arithmetic depth world "world" rms "RMS depth error as a distance",
     "attribute-worst" arithmetic attribute ulp "ULP" worst "worst attribute error",
-    "attribute-mean" arithmetic attribute ulp "ULP" mean "mean attribute error, its size",
+    "attribute-mean" arithmetic attribute ulp "ULP" mean "mean attribute error, absolute value",
     "attribute-rms" arithmetic attribute ulp "ULP" rms "RMS attribute error",
-    "attribute-worst-world" arithmetic attribute world "range" worst "worst attribute error of its range",
-    "attribute-mean-world" arithmetic attribute world "range" mean "mean attribute error of its range",
-    "attribute-rms-world" arithmetic attribute world "range" rms "RMS attribute error of its range",
-    "snap-depth-worst" snap depth ulp "ULP" worst "worst depth moved by snapping",
-    "snap-depth-mean" snap depth ulp "ULP" mean "mean depth moved by snapping",
-    "snap-depth-rms" snap depth ulp "ULP" rms "RMS depth moved by snapping",
-    "snap-depth-worst-world" snap depth world "world" worst "worst distance moved by snapping",
-    "snap-depth-mean-world" snap depth world "world" mean "mean distance moved by snapping",
-    "snap-depth-rms-world" snap depth world "world" rms "RMS distance moved by snapping",
-    "snap-attribute-worst" snap attribute ulp "ULP" worst "worst attribute moved by snapping",
-    "snap-attribute-mean" snap attribute ulp "ULP" mean "mean attribute moved by snapping",
-    "snap-attribute-rms" snap attribute ulp "ULP" rms "RMS attribute moved by snapping",
-    "snap-attribute-worst-world" snap attribute world "range" worst "worst part of the range moved by snapping",
-    "snap-attribute-mean-world" snap attribute world "range" mean "mean part of the range moved by snapping",
-    "snap-attribute-rms-world" snap attribute world "range" rms "RMS part of the range moved by snapping",
+    "attribute-worst-world" arithmetic attribute world "range" worst "worst attribute error, relative to its range",
+    "attribute-mean-world" arithmetic attribute world "range" mean "mean attribute error, relative to its range",
+    "attribute-rms-world" arithmetic attribute world "range" rms "RMS attribute error, relative to its range",
+    "snap-depth-worst" snap depth ulp "ULP" worst "worst change of depth by snapping",
+    "snap-depth-mean" snap depth ulp "ULP" mean "mean change of depth by snapping",
+    "snap-depth-rms" snap depth ulp "ULP" rms "RMS change of depth by snapping",
+    "snap-depth-worst-world" snap depth world "world" worst "worst change of distance by snapping",
+    "snap-depth-mean-world" snap depth world "world" mean "mean change of distance by snapping",
+    "snap-depth-rms-world" snap depth world "world" rms "RMS change of distance by snapping",
+    "snap-attribute-worst" snap attribute ulp "ULP" worst "worst change of attribute by snapping",
+    "snap-attribute-mean" snap attribute ulp "ULP" mean "mean change of attribute by snapping",
+    "snap-attribute-rms" snap attribute ulp "ULP" rms "RMS change of attribute by snapping",
+    "snap-attribute-worst-world" snap attribute world "range" worst "worst change by snapping, relative to the range",
+    "snap-attribute-mean-world" snap attribute world "range" mean "mean change by snapping, relative to the range",
+    "snap-attribute-rms-world" snap attribute world "range" rms "RMS change by snapping, relative to the range",
 ];
 
 const MEASURED: [Metric; 2] = [
     Metric {
         name: "operations",
         unit: "a fragment",
-        about: "operations a covered sample, set-up shared out",
+        about: "operations per covered sample, including a share of the set-up",
         source: Source::Record(|record| Some(record.operations_per_fragment)),
     },
     Metric {
         name: "ns",
         unit: "ns a sample",
-        about: "software time of the model, one thread",
+        about: "time of the software model on one thread",
         source: Source::Record(|record| record.speed.map(|speed| speed.ns_per_sample)),
     },
 ];

@@ -1,4 +1,5 @@
-//! The budgets that no other one beats. Spec clause `Q-5`.
+//! The Pareto front: the budgets for which no other budget is at least as good in all metrics and better
+//! in one metric. Spec clause `Q-5`.
 
 use super::metric::Metric;
 use super::record::Record;

@@ -29,7 +29,7 @@ pub enum Point {
     Budget(Profile),
     /// Another number's budget: an axis sets a field that this one does not have.
     Again,
-    /// No budget: its parts do not go together.
+    /// The index is invalid: the resulting profile fails validation.
     Invalid(InvalidProfile),
 }
 
@@ -37,7 +37,7 @@ pub enum Point {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum SpaceError {
     /// No such field.
-    #[error("{name:?} is no field to vary: there are {known}")]
+    #[error("{name:?} is not a field that can be varied; the fields are {known}")]
     Unknown {
         /// What was asked for.
         name: String,
@@ -45,10 +45,12 @@ pub enum SpaceError {
         known: String,
     },
     /// Not of the form FIELD=VALUES.
-    #[error("{0:?}: an axis looks like interpolation=8..14 or rounding=floor,nearest-even")]
+    #[error(
+        "{0:?}: an axis is FIELD=VALUES, for example interpolation=8..14 or rounding=floor,nearest-even"
+    )]
     Syntax(String),
     /// A range that ends before it begins.
-    #[error("{field}={low}..{high} is empty, as {low} > {high}: {field}={high}..{low} is not")]
+    #[error("{field}={low}..{high} is empty, because {low} > {high}; write {field}={high}..{low}")]
     Empty {
         /// The field.
         field: &'static str,
@@ -58,7 +60,7 @@ pub enum SpaceError {
         high: u32,
     },
     /// A range of more values than any field has.
-    #[error("{field}={low}..{high} has {count} values: a field has at most {most}", most = MOST_VALUES)]
+    #[error("{field}={low}..{high} has {count} values, but a field may have at most {most}", most = MOST_VALUES)]
     Long {
         /// The field.
         field: &'static str,
@@ -70,16 +72,16 @@ pub enum SpaceError {
         count: u64,
     },
     /// A field on two axes.
-    #[error("{0} is varied twice: join the values in one axis")]
+    #[error("{0} is varied twice: write all its values in one --vary")]
     Twice(&'static str),
     /// A value that the field does not take.
     #[error(transparent)]
     Field(#[from] FieldError),
     /// More budgets than results can be kept of.
-    #[error("the axes span more than 2^20 budgets: give one of them fewer values")]
+    #[error("the axes give more than 2^20 budgets: use fewer values in one axis")]
     Large,
     /// Not one of them is a budget.
-    #[error("none of the {count} budgets of this space is possible; the first: {source}")]
+    #[error("none of the {count} budgets of this space is valid; the first error: {source}")]
     Nothing {
         /// How many numbers there are.
         count: u64,

@@ -1,5 +1,5 @@
-//! What a sweep found, kept in a file as it comes, so that an interrupted one goes on and parts
-//! made elsewhere are joined. Spec clause `Q-6`.
+//! Results of a sweep in a file. Each result is saved at once, so an interrupted sweep can continue, and
+//! parts from several computers can be joined. Spec clause `Q-6`.
 //!
 //! JSON Lines: the first line names the request, each further line one number of its space. What
 //! follows from the request alone, such as a budget's cost, is not kept but made again.
@@ -46,7 +46,7 @@ struct Line {
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
     /// Not such a file.
-    #[error("{path}:{line}: {message}; a file of results is written by `explore --save`")]
+    #[error("{path}:{line}: {message}; only `explore --save` writes files of results")]
     Syntax {
         /// The file.
         path: String,
@@ -57,8 +57,8 @@ pub enum StoreError {
     },
     /// Another sweep's results.
     #[error(
-        "{path}: holds the results of another request ({what}): profile, axes, scenes and model \
-         version have to be the same"
+        "{path}: the file has the results of another request ({what}); profile, axes, scenes and model \
+         version must be the same"
     )]
     Other {
         /// The file.
@@ -102,7 +102,7 @@ impl Header {
         } else if self.budgets != other.budgets {
             Some(format!("{} budgets, not {}", other.budgets, self.budgets))
         } else {
-            (self.request != other.request).then(|| "same size, other contents".to_owned())
+            (self.request != other.request).then(|| "same size, but different contents".to_owned())
         }
     }
 }
@@ -148,7 +148,7 @@ pub fn read(
     let whole = text.rfind('\n').map_or(0, |end| end + 1);
     let mut lines = (1..).zip(text[..whole].lines());
     let Some((_, first)) = lines.next() else {
-        return Err(syntax(1, "no line names the request".to_owned()));
+        return Err(syntax(1, "the first line must describe the request".to_owned()));
     };
     let header: Header =
         serde_json::from_str(first).map_err(|error| syntax(1, error.to_string()))?;
@@ -162,8 +162,9 @@ pub fn read(
         if index >= sweep.space.len() {
             return Err(syntax(number, format!("index = {index} >= {}", sweep.space.len())));
         }
-        let found = restore(sweep, line)
-            .ok_or_else(|| syntax(number, format!("{index} is no budget, and has results")))?;
+        let found = restore(sweep, line).ok_or_else(|| {
+            syntax(number, format!("number {index} is not a valid budget, but has results"))
+        })?;
         results.insert(index, found);
     }
     Ok(whole)

@@ -1,4 +1,4 @@
-//! A figure, and the most that it may be.
+//! A metric and its largest allowed value.
 
 use super::field::Level;
 use super::metric::Metric;

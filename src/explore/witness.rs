@@ -1,4 +1,4 @@
-//! Why a budget will not do: a triangle and a sample. Spec clause `Q-8`.
+//! A counterexample to a budget: a triangle and a sample that it draws wrong. Spec clause `Q-8`.
 
 use super::field::{Level, Value};
 use super::sweep::{self, Sweep};
@@ -114,13 +114,15 @@ fn words(place: Place, metric: &str) -> String {
     let value = if metric.contains("attribute-") { "the attribute" } else { "depth" };
     let moved = if metric.starts_with("snap-") { "moved" } else { "is off" };
     match place.what {
-        What::Missing => "the sample is not covered and should be".to_owned(),
-        What::Extra => "the sample is covered and should not be".to_owned(),
+        What::Missing => "the sample is not covered but should be".to_owned(),
+        What::Extra => "the sample is covered but should not be".to_owned(),
         What::Ulp(ulp) => format!("{value} {moved} by {ulp:+.4} ULP"),
         What::Event(Event::Wrap) => "depth leaves the guard range".to_owned(),
-        What::Event(_) => "depth is held at an end of its range".to_owned(),
-        What::Order(Ordering::Equal, other) => format!("it becomes level with triangle {other}"),
-        What::Order(_, other) => format!("it changes places with triangle {other}"),
+        What::Event(_) => "depth is clamped to an end of its range".to_owned(),
+        What::Order(Ordering::Equal, other) => {
+            format!("its depth becomes equal to that of triangle {other}")
+        }
+        What::Order(_, other) => format!("its depth order with triangle {other} is reversed"),
     }
 }
 
@@ -131,5 +133,5 @@ fn first_refusal(sweep: &Sweep, scene: usize, profile: &Profile) -> Result<Strin
         let error = model.snap(&reference.triangle(index, profile)).err()?;
         Some(format!("triangle {index}: {error}"))
     });
-    Ok(refusal.unwrap_or_else(|| "no single sample is to blame".to_owned()))
+    Ok(refusal.unwrap_or_else(|| "no single sample shows the error".to_owned()))
 }

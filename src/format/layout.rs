@@ -49,7 +49,7 @@ enum Style {
 pub enum LayoutError {
     /// A field that cannot be read.
     #[error(
-        "word {word}: {text:?} is no field; a field is NAME, NAME:BITS, NAME:BITS@LOWEST or \
+        "word {word}: {text:?} is not a field; a field is NAME, NAME:BITS, NAME:BITS@LOWEST or \
          NAME[FROM]:BITS@LOWEST, and a style is %d or %1x to %8x"
     )]
     Field {
@@ -60,7 +60,7 @@ pub enum LayoutError {
     },
     /// A field beyond its word.
     #[error(
-        "word {word}: {name} takes {width} bits from bit {at} up; a field has one at least, and a word has \
+        "word {word}: {name} has {width} bits from bit {at} up; a field has at least 1 bit and must lie in \
          bits 0 to 31"
     )]
     Beyond {
@@ -74,7 +74,7 @@ pub enum LayoutError {
         width: u32,
     },
     /// Two fields on one bit.
-    #[error("word {word}: {name} lies on bits of another field")]
+    #[error("word {word}: {name} overlaps another field")]
     Overlap {
         /// Which word, from 0.
         word: usize,
@@ -82,7 +82,7 @@ pub enum LayoutError {
         name: String,
     },
     /// A piece of a value that is longer than 64 bits.
-    #[error("word {word}: {name} would have more than 64 bits")]
+    #[error("word {word}: the pieces of {name} have more than 64 bits together")]
     Long {
         /// Which word, from 0.
         word: usize,
@@ -90,7 +90,7 @@ pub enum LayoutError {
         name: String,
     },
     /// No words at all.
-    #[error("a list of words has at least one")]
+    #[error("the list of words is empty; it needs at least one word")]
     Empty,
 }
 

@@ -41,7 +41,9 @@ pub enum QFormatError {
     #[error(transparent)]
     Width(#[from] WidthError),
     /// The sum of both fields does not fit any word.
-    #[error("{integer} integer + {fraction} fraction bits are more than a word can have (128)")]
+    #[error(
+        "integer bits + fraction bits = {integer} + {fraction} > 128: a word has at most 128 bits"
+    )]
     Sum {
         /// Integer bits asked for.
         integer: u32,

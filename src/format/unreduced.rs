@@ -28,7 +28,9 @@ pub struct Unreduced {
 
 /// Two values that count different units.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("fraction bits differ: {left} and {right}; bring both to one binary point first")]
+#[error(
+    "the numbers of fraction bits differ: {left} and {right}; shift one value to the binary point of the other first"
+)]
 pub struct FractionMismatch {
     /// Fraction bits of the one.
     pub left: u32,

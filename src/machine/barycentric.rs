@@ -43,7 +43,7 @@ pub enum BarycentricError {
     /// A coordinate outgrows 128-bit arithmetic.
     #[error(
         "2 * vertex difference bits + 4 + coordinate = 2 * {difference} + 4 + {coordinate} > 126: \
-         set-up would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+         set-up does not fit exact 128-bit arithmetic; use fewer bits in one of these fields"
     )]
     Setup {
         /// Bits of a vertex difference.
@@ -54,8 +54,8 @@ pub enum BarycentricError {
     /// A weighted value outgrows 128-bit arithmetic.
     #[error(
         "coordinate + depth integer + interpolation + 4 = {coordinate} + {integer} + \
-         {interpolation} + 4 > 126: the weighted sum would outgrow exact 128-bit arithmetic; give \
-         one of them fewer bits"
+         {interpolation} + 4 > 126: the weighted sum does not fit exact 128-bit arithmetic; use \
+         fewer bits in one of these fields"
     )]
     Sum {
         /// Fraction bits of a coordinate.

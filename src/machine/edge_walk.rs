@@ -40,7 +40,7 @@ pub enum EdgeWalkError {
     /// Comparing x with a sample outgrows 128-bit arithmetic.
     #[error(
         "guard + integer + fraction + sub-pixel = {guard} + {integer} + {fraction} + {sub_pixel} > 126: \
-         comparing x with a sample would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+         comparing x with a sample does not fit exact 128-bit arithmetic; use fewer bits in one of these fields"
     )]
     Compare {
         /// Guard bits.
@@ -55,8 +55,8 @@ pub enum EdgeWalkError {
     /// Depth along a span outgrows 128-bit arithmetic.
     #[error(
         "depth integer + interpolation + fraction + sub-pixel + 2 = {integer} + {interpolation} + \
-         {fraction} + {sub_pixel} + 2 > 126: depth along a span would outgrow exact 128-bit \
-         arithmetic; give one of them fewer bits"
+         {fraction} + {sub_pixel} + 2 > 126: depth along a span does not fit exact 128-bit \
+         arithmetic; use fewer bits in one of these fields"
     )]
     Values {
         /// Depth bits.
@@ -71,7 +71,7 @@ pub enum EdgeWalkError {
     /// The exact numerators outgrow 128-bit arithmetic.
     #[error(
         "2 * vertex difference bits + 2 + fraction = 2 * {difference} + 2 + {fraction} > 126: \
-         set-up would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+         set-up does not fit exact 128-bit arithmetic; use fewer bits in one of these fields"
     )]
     Growth {
         /// Bits of a vertex difference.

@@ -33,13 +33,13 @@ pub struct HomogeneousConfig {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum HomogeneousError {
     /// W needs a bit.
-    #[error("w = 0: the W of a vertex has at least 1 bit, as a projected vertex has W = 1")]
+    #[error("w = 0: 1 <= w is needed, because a projected vertex has W = 1")]
     NoW,
     /// The plane outgrows 128-bit arithmetic.
     #[error(
         "2 * (vertex difference bits + w) + (depth bits + w) + interpolation + reciprocal bits + 4 \
          = 2 * ({difference} + {w}) + ({integer} + {w}) + {interpolation} + {reciprocal} + 4 = \
-         {sum} > 126: set-up would outgrow exact 128-bit arithmetic; give w fewer bits"
+         {sum} > 126: set-up does not fit exact 128-bit arithmetic; use fewer bits for w"
     )]
     Growth {
         /// Bits of a vertex difference.

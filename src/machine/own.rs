@@ -24,14 +24,14 @@ pub struct Own {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum AddError {
     /// A machine of that name is there already.
-    #[error("the machine {0:?} is in the list already: give yours another name")]
+    #[error("the machine {0:?} already exists: give your machine another name")]
     Name(&'static str),
     /// A name that no profile could be asked for.
-    #[error("the machine {0:?}: a name has a-z 0-9 and -, and begins with a letter")]
+    #[error("the machine {0:?}: a name contains only a-z, 0-9 and -, and begins with a letter")]
     Spelling(&'static str),
     /// A decision that belongs to another part of a profile.
     #[error(
-        "the machine {machine:?} lists the decision {decision:?}, which the {owner} has already"
+        "the machine {machine:?} lists the decision {decision:?}, but the {owner} already has a decision of this name; choose another name"
     )]
     Decision {
         /// The machine.
@@ -42,7 +42,9 @@ pub enum AddError {
         owner: &'static str,
     },
     /// The list was extended before.
-    #[error("machines were added before: add all of them in one call, before a profile is read")]
+    #[error(
+        "machines were already added: add all machines in one call, before the first profile is read"
+    )]
     Twice,
 }
 

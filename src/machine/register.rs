@@ -118,7 +118,7 @@ pub struct RegisterMachine {
 }
 
 impl RegisterConfig {
-    /// The machine, if its parts go together.
+    /// The machine, if its configuration is valid.
     ///
     /// # Errors
     /// [`RegisterError`] names the part and the reason.

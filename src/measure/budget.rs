@@ -1,4 +1,4 @@
-//! The words of a profile, taken apart.
+//! The words of a profile and their fields.
 
 pub use crate::machine::{Fact, Word, WordField as Field};
 
@@ -38,7 +38,7 @@ fn dyadic(numerator: i128, shift: u32) -> String {
 /// Takes a profile's words apart.
 ///
 /// # Errors
-/// [`InvalidProfile`] if its parts do not go together.
+/// [`InvalidProfile`] names the violated inequality.
 pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
     profile.validate()?;
     let vertex = profile.vertex;

@@ -1,4 +1,4 @@
-//! Machine against machine on one scene: coverage and depth against exact, operations, bits, time.
+//! Comparison of machines on one scene: coverage and depth against the exact result, operations, bits, time.
 //! Spec clauses `A-10` to `A-13`.
 
 mod bound;

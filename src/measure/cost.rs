@@ -76,7 +76,7 @@ pub struct Estimate {
 /// ```
 ///
 /// # Errors
-/// [`InvalidProfile`] if its parts do not go together, or its machine states no cost.
+/// [`InvalidProfile`] if the profile fails validation, or if its machine has no cost model.
 pub fn estimate(profile: &Profile) -> Result<Cost, InvalidProfile> {
     profile.validate()?;
     let grid = profile.grid()?;

@@ -131,7 +131,7 @@ fn triangle(face: &Face) -> String {
 fn perspective(stage: &Stage, lens: Option<Lens>) -> Evaluator {
     let name = "perspective";
     let Some(lens) = lens else {
-        let evidence = "the scene carries no w, so it is constant".to_owned();
+        let evidence = "the scene has no w, so w is constant".to_owned();
         return Evaluator { name, needed: false, evidence };
     };
     let ratio = |face: &Face| {
@@ -150,8 +150,8 @@ fn perspective(stage: &Stage, lens: Option<Lens>) -> Evaluator {
     let root = most.sqrt();
     let off = (root - 1.0) / (root + 1.0);
     let evidence = format!(
-        "w changes by a factor of {most:.4} over {}: an attribute interpolated without it is off \
-         by up to {:.3} % of its change there; depth is not, being Z/w",
+        "w changes by a factor of {most:.4} over {}: an attribute interpolated without w has an error \
+         of up to {:.3} % of its change there; depth has no such error, because it is Z/w",
         triangle(face),
         100.0 * off
     );

@@ -1,4 +1,4 @@
-//! The speed side of the trade, as ratios timed in one run.
+//! Speed measurements, as ratios within one run.
 //!
 //! Absolute times on shared machines mean little; a ratio of medians of interleaved repeats does.
 //! Six sections: the kernels against plain loops, the depth walk by lane and width, the machines

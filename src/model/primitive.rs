@@ -52,10 +52,12 @@ pub enum PrimitiveError {
     #[error("field `words`: {0}")]
     Words(#[from] WordsError),
     /// Registers for a machine that begins at vertices.
-    #[error("field `words`: this profile's machine draws primitives, not set-up registers")]
+    #[error(
+        "field `words`: the machine of this profile takes primitives, not registers; give `v`, `f` or another primitive"
+    )]
     NoRegisters,
     /// Depth for a profile that has none.
-    #[error("field `{0}`: the profile has no [depth], so a vertex has no z")]
+    #[error("field `{0}`: the profile has no [depth], so vertices must have no z; leave z out")]
     NoDepth(&'static str),
     /// The machine refused it.
     #[error(transparent)]

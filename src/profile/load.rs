@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 pub enum ProfileError {
     /// Neither a built-in nor a file.
     #[error(
-        "no profile {name:?}: the built-in ones are {known}; anything else is the path of a TOML file"
+        "no profile {name:?}: give the path of a TOML file, or one of the built-in profiles {known}"
     )]
     Unknown {
         /// What was asked for.
@@ -25,7 +25,9 @@ pub enum ProfileError {
         source: std::io::Error,
     },
     /// The file is no UTF-8 text.
-    #[error("{path}: byte {at} is not UTF-8: a profile is a TOML text file")]
+    #[error(
+        "{path}: byte {at} is not UTF-8, but a profile is a TOML text file; save the file as UTF-8"
+    )]
     Encoding {
         /// The file.
         path: String,
@@ -44,7 +46,7 @@ pub enum ProfileError {
         /// What is wrong.
         message: String,
     },
-    /// Well-formed, but its parts do not go together.
+    /// The TOML text is well-formed, but the profile fails validation.
     #[error("{path}:{line}: {field}: {source}")]
     Invalid {
         /// The file or built-in.

@@ -72,10 +72,10 @@ pub enum Fault {
         got: usize,
     },
     /// A key nobody reads.
-    #[error("unknown key; known are id, v, f, words, line, point, polygon, clip")]
+    #[error("unknown key; the known keys are id, v, f, words, line, point, polygon, clip")]
     UnknownKey,
     /// A key given twice.
-    #[error("given twice; leave one")]
+    #[error("the key is given twice; remove one")]
     Duplicate,
     /// Nothing to draw.
     #[error(
@@ -84,14 +84,14 @@ pub enum Fault {
     Nothing,
     /// Two things to draw.
     #[error(
-        "exactly one of v, f, words, line, point, polygon, clip is needed, `{first}` is there too"
+        "exactly one of v, f, words, line, point, polygon, clip is needed, but `{first}` is given, too"
     )]
     Several {
         /// The one that came before.
         first: String,
     },
     /// z for some vertices only.
-    #[error("{got} coordinates where vertex 0 has {first}; give z for all vertices or none")]
+    #[error("{got} coordinates, but vertex 0 has {first}; give z for all vertices or for none")]
     MixedDepth {
         /// Coordinates of this vertex.
         got: usize,
@@ -100,7 +100,7 @@ pub enum Fault {
     },
     /// A number with a fraction or an exponent, or no number, where an integer is needed.
     #[error(
-        "{0} is not an integer; write decimal digits, without point or exponent (reals go in `f`)"
+        "{0} is not an integer; write decimal digits without point or exponent, or use `f` for real numbers"
     )]
     NotInteger(String),
     /// An integer beyond 128 bits.
@@ -115,7 +115,7 @@ pub enum Fault {
     #[error("{0} is not a bit pattern; write 8 hex digits (binary32) or 16 (binary64)")]
     Pattern(String),
     /// A request that is no triangle, in a scene.
-    #[error("a scene holds triangles only, `v` or `f`")]
+    #[error("a scene contains only triangles: `v` or `f`")]
     NotTriangle,
 }
 

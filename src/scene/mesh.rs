@@ -64,8 +64,8 @@ pub enum MeshError {
     },
     /// An index without a vertex.
     #[error(
-        "line {line}: corner {corner} of `f`: index {index} names no vertex, 1 <= index <= \
-         {vertices} is needed, or -{vertices} <= index <= -1 counting back"
+        "line {line}: corner {corner} of `f`: there is no vertex with index {index}; 1 <= index <= \
+         {vertices} is needed, or -{vertices} <= index <= -1 to count back from the last vertex"
     )]
     OutOfRange {
         /// Line number.
@@ -78,13 +78,17 @@ pub enum MeshError {
         vertices: usize,
     },
     /// Nothing to draw.
-    #[error("no faces: {vertices} vertices and not one `f` line; export the mesh with its faces")]
+    #[error(
+        "no faces: the mesh has {vertices} vertices but no `f` line; export the mesh with its faces"
+    )]
     NoFaces {
         /// How many vertices there are.
         vertices: usize,
     },
     /// All corners in one place, so that no camera can frame them.
-    #[error("all faces lie in the same point, an extent > 0 is needed to frame the mesh")]
+    #[error(
+        "all faces lie in the same point; the mesh needs an extent > 0 to fit it to the window"
+    )]
     NoExtent,
 }
 

@@ -67,7 +67,9 @@ pub enum VertexError {
         sub_pixel: u32,
     },
     /// A signed field needs a sign bit.
-    #[error("integer = 0 in a signed vertex field: the sign needs one integer bit")]
+    #[error(
+        "integer = 0: a signed vertex field needs 1 <= integer, because the sign takes one integer bit"
+    )]
     NoSign,
     /// A lattice that is no finer.
     #[error(
@@ -95,7 +97,7 @@ pub enum VertexError {
         high: i128,
     },
     /// A real coordinate has no place on any lattice.
-    #[error("{coordinate} is {what}: this profile refuses it")]
+    #[error("{coordinate} is {what}, but this profile refuses such coordinates")]
     NotFinite {
         /// Which coordinate.
         coordinate: Coordinate,

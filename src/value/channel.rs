@@ -99,8 +99,8 @@ pub enum ChannelError {
     },
     /// A sticky clamp on an accumulator that is re-evaluated.
     #[error(
-        "channel {name:?}: clamp = {clamp:?}: a channel has no state to stick and no primitive to refuse; \
-         take wrap, guard or sign"
+        "channel {name:?}: clamp = {clamp:?}: a channel cannot saturate its accumulator or reject a primitive; \
+         use wrap, guard or sign"
     )]
     Sticky {
         /// The channel.
@@ -121,10 +121,12 @@ pub enum ChannelError {
         interpolation: u32,
     },
     /// A name given twice.
-    #[error("channel {0:?} is there twice")]
+    #[error("channel {0:?} is defined twice; remove one definition")]
     Twice(String),
     /// A name that no register can have.
-    #[error("channel {0:?}: a channel's name has a-z, 0-9 and _, and begins with a letter")]
+    #[error(
+        "channel {0:?}: the name of a channel contains only a-z, 0-9 and _, and begins with a letter"
+    )]
     Name(String),
 }
 

@@ -63,7 +63,7 @@ pub enum DepthError {
     #[error(
         "integer + 2 * vertex difference bits + 4 + interpolation + reciprocal bits = \
          {integer} + 2 * {difference} + 4 + {interpolation} + {reciprocal} = {sum} > 126: \
-         set-up would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+         set-up does not fit exact 128-bit arithmetic; use fewer bits in one of these fields"
     )]
     Growth {
         /// Depth bits.

@@ -72,12 +72,12 @@ pub enum DepthFormatError {
         mantissa: u32,
     },
     /// A ratio of planes.
-    #[error("format ratio = {0}: f / n is 2 to 1048576")]
+    #[error("format ratio = {0}: 2 <= far / near <= 1048576 is needed")]
     Ratio(u32),
     /// The accumulator's own bits and the format's outgrow exact arithmetic.
     #[error(
-        "depth integer + interpolation = {integer} + {interpolation} > 58: converting to a depth format \
-         would outgrow exact 128-bit arithmetic; give one of them fewer bits"
+        "depth integer + interpolation = {integer} + {interpolation} > 58: the conversion to a depth \
+         format does not fit exact 128-bit arithmetic; use fewer bits in one of these fields"
     )]
     Growth {
         /// Depth bits.

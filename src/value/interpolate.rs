@@ -49,7 +49,7 @@ pub enum InterpolationError {
         w: i128,
     },
     /// An attribute outside its words.
-    #[error("u of vertex {vertex} is {u}: an attribute has 0 <= u < 65536")]
+    #[error("u of vertex {vertex} is {u}: 0 <= u < 65536 is needed for an attribute")]
     U {
         /// Which vertex.
         vertex: usize,
@@ -57,10 +57,12 @@ pub enum InterpolationError {
         u: i128,
     },
     /// No area.
-    #[error("the triangle has no area, and an attribute no plane")]
+    #[error("the triangle has no area, so an attribute has no plane")]
     Area,
     /// Bits outside the arithmetic.
-    #[error("fraction = {fraction}, reciprocal bits = {bits}: 1 to 24 and 2 to 40")]
+    #[error(
+        "fraction = {fraction}, reciprocal bits = {bits}: 1 <= fraction <= 24 and 2 <= reciprocal bits <= 40 are needed"
+    )]
     Bits {
         /// Fraction bits.
         fraction: u32,
@@ -68,7 +70,7 @@ pub enum InterpolationError {
         bits: u32,
     },
     /// A vertex field too wide for exact set-up.
-    #[error("vertex difference bits = {0}: attributes are set up for at most 26")]
+    #[error("vertex difference bits = {0}: the set-up of attributes needs <= 26")]
     Field(u32),
 }
 

@@ -46,7 +46,7 @@ impl std::fmt::Display for Finding {
 pub enum CheckError {
     /// No manifest.
     #[error(
-        "{0}: no {name} or {index}: an empty or unfinished set, or no set at all",
+        "{0}: there is no {name} or {index}, so this is not a complete set; write the set with `guardbit vectors`",
         name = manifest::NAME, index = INDEX
     )]
     Unfinished(PathBuf),
@@ -62,7 +62,7 @@ pub enum CheckError {
     },
     /// Of another schema.
     #[error(
-        "{path}: a set of schema {found}, and this version reads schema {schema}: {advice}",
+        "{path}: the set has schema {found}, but this version of guardbit reads schema {schema}: {advice}",
         schema = manifest::SCHEMA, advice = advice(*found)
     )]
     OtherSchema {
@@ -73,7 +73,7 @@ pub enum CheckError {
     },
     /// Made by another model.
     #[error(
-        "{path}: made by model version {found}, this is model version {MODEL_VERSION}: write the set again"
+        "{path}: the set was made by model version {found}, but this is model version {MODEL_VERSION}: write the set again"
     )]
     OtherModel {
         /// The manifest.
@@ -82,7 +82,7 @@ pub enum CheckError {
         found: u32,
     },
     /// Made by another profile than the caller believes in.
-    #[error("{path}: the set is of another profile: {difference}")]
+    #[error("{path}: the set was made with another profile: {difference}")]
     OtherProfile {
         /// The manifest.
         path: String,
@@ -133,7 +133,7 @@ pub struct CheckReport {
 /// What to do with a set of another schema.
 fn advice(found: u32) -> &'static str {
     if found < manifest::SCHEMA {
-        "columns have other names and another order now; write the set anew with `guardbit vectors`"
+        "the names and the order of columns have changed; write the set again with `guardbit vectors`"
     } else {
         "check the set with the version of guardbit that wrote it"
     }
@@ -224,8 +224,8 @@ pub fn difference(found: &Profile, believed: &Profile) -> String {
     let (found, believed) = (found.to_toml(), believed.to_toml());
     let mut pairs = found.lines().zip(believed.lines());
     match pairs.find(|(a, b)| a != b) {
-        Some((a, b)) => format!("the set has {a}, the profile named {b}"),
-        None => "one has fields that the other lacks".to_owned(),
+        Some((a, b)) => format!("the set has {a}, but the profile of --profile has {b}"),
+        None => "the two profiles have different fields".to_owned(),
     }
 }
 
@@ -238,7 +238,7 @@ fn strange_vectors(set: &OpenSet) -> Result<Vec<Finding>, CheckError> {
         let vectors = [".exp.", ".cfg.", ".testfloat"].iter().any(|part| name.contains(part));
         let dumped = name.ends_with(".dut.tv");
         if vectors && !dumped && !set.manifest.files.iter().any(|file| file.name == name) {
-            let message = "a vector file that the manifest does not list".to_owned();
+            let message = "the manifest does not list this vector file".to_owned();
             findings.push(Finding { file: entry.path(), line: None, message });
         }
     }

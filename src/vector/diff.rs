@@ -119,7 +119,7 @@ fn files(name: &str, left: &Path, right: &Path) -> std::io::Result<Option<Change
     let show = |text: Vec<u8>| match text.strip_suffix(b"\n") {
         _ if text.is_empty() => "nothing".to_owned(),
         Some(whole) => String::from_utf8_lossy(whole).into_owned(),
-        None => format!("{} without a line's end", String::from_utf8_lossy(&text)),
+        None => format!("{} without a newline at the end", String::from_utf8_lossy(&text)),
     };
     Ok(first.map(|(first, a, b)| Change {
         what: format!("{name} ({differing} of {line} lines, first {first})"),

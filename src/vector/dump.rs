@@ -23,7 +23,9 @@ pub enum CompareError {
     #[error(transparent)]
     Dump(#[from] DumpError),
     /// Which file of the set it answers.
-    #[error("{name}: no expectation file of the set has this name; say which with --file: {known}")]
+    #[error(
+        "{name}: the set has no exp file of this name; give the name of the exp file with --file: {known}"
+    )]
     Unknown {
         /// The name that was tried.
         name: String,
@@ -31,7 +33,9 @@ pub enum CompareError {
         known: String,
     },
     /// Only the golden form can be compared.
-    #[error("the set is written as {0}; a dump is compared with a set in the form tv")]
+    #[error(
+        "the set has the format {0}, but a dump can be compared only with a set of the format tv; write the set again with --format tv"
+    )]
     Format(String),
 }
 

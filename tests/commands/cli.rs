@@ -68,7 +68,11 @@ fn usage_errors_end_with_2() {
         assert_eq!((code, out.as_str()), (2, ""), "{arguments:?}");
         assert!(err.contains("Usage: guardbit"), "{arguments:?}: {err}");
     }
-    refused(&["eval", "nope"], 2, "no profile \"nope\": the built-in ones are sgi-4k, ");
+    refused(
+        &["eval", "nope"],
+        2,
+        "no profile \"nope\": give the path of a TOML file, or one of the built-in profiles sgi-4k, ",
+    );
     refused(&["budget", "nope"], 2, "no profile \"nope\"");
     refused(&["profile", "show", "nope"], 2, "no profile \"nope\"");
     refused(&["eval", "./no-such.toml"], 3, "./no-such.toml: ");
@@ -81,10 +85,14 @@ fn absurd_windows_are_refused() {
         refused(&["eval", "tiny", "--window", window], 2, "a window has 1 to 65536 pixels");
     }
     for window in ["", "5", "5x", "x5", "-1x5", "99999999999x1", "4x4x4", "1.5x2"] {
-        refused(&["eval", "tiny", &format!("--window={window}")], 2, "a size looks like");
+        refused(&["eval", "tiny", &format!("--window={window}")], 2, "a size is WIDTHxHEIGHT");
     }
     for scissor in ["", "1,2,3", "1,2,3,4,5", "3,0,1,1", "0,0,-1,1", "a,0,1,1"] {
-        refused(&["eval", "tiny", &format!("--scissor={scissor}")], 2, "a rectangle looks like");
+        refused(
+            &["eval", "tiny", &format!("--scissor={scissor}")],
+            2,
+            "a rectangle is X0,Y0,X1,Y1",
+        );
     }
 }
 
@@ -138,9 +146,17 @@ fn bad_lines_do_not_stop_the_rest() {
         (r#"{"id": 1, "v": [[0,0],[8,0],[0,"x"]]}"#, "1", "field `v[2][1]`"),
         (r#"{"id": 1, "v": [[0,0],[9,0],[0,8]]}"#, "1", "v[1][0] = 9 is outside"),
         (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "w": 0}"#, "1", "field `w`: unknown key"),
-        (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "v": []}"#, "1", "field `v`: given twice"),
-        (r#"{"id": 1, "id": 2, "v": [[0,0],[8,0],[0,8]]}"#, "1", "field `id`: given twice"),
-        (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "f": []}"#, "1", "`v` is there too"),
+        (
+            r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "v": []}"#,
+            "1",
+            "field `v`: the key is given twice",
+        ),
+        (
+            r#"{"id": 1, "id": 2, "v": [[0,0],[8,0],[0,8]]}"#,
+            "1",
+            "field `id`: the key is given twice",
+        ),
+        (r#"{"id": 1, "v": [[0,0],[8,0],[0,8]], "f": []}"#, "1", "but `v` is given, too"),
         (
             r#"{"id": 1, "f": [[0,0],[1e400,0],[0,1]]}"#,
             "1",
@@ -167,7 +183,7 @@ fn bad_lines_do_not_stop_the_rest() {
     let (code, out, _) =
         guardbit(&["eval", "tiny"], b"\xff\xfe\n{\"id\": 9, \"v\": [[1,1],[3,1],[1,3]]}");
     assert_eq!(code, 2);
-    assert!(out.starts_with("{\"id\": null, \"error\": \"line 1: not UTF-8"), "{out}");
+    assert!(out.starts_with("{\"id\": null, \"error\": \"line 1: the line is not UTF-8"), "{out}");
     assert_eq!(out.lines().nth(1), Some(answer));
     // Nothing at all is good.
     assert_eq!(guardbit(&["eval", "tiny"], b""), (0, String::new(), String::new()));
@@ -330,7 +346,7 @@ fn a_line_without_end_does_not_fill_the_memory() {
     input.extend_from_slice(b"\n{\"id\": 1, \"v\": [[1,1],[3,1],[1,3]]}\n");
     let (code, out, _) = guardbit(&["eval", "tiny"], &input);
     let lines: Vec<&str> = out.lines().collect();
-    let refusal = r#"{"id": null, "error": "line 1: longer than 16777216 bytes"}"#;
+    let refusal = r#"{"id": null, "error": "line 1: the line is longer than 16777216 bytes"}"#;
     // The rest goes on.
     assert_eq!((code, lines), (2, vec![refusal, r#"{"id": 1, "rows": [[0, 0, 1]]}"#]));
 }

@@ -101,10 +101,10 @@ fn pictures_that_cannot_be_are_refused() {
         ("0x5", "0 x 5: a window has 1 to 65536"),
         ("5x0", "1 to 65536"),
         ("70000x5", "70000 x 5"),
-        ("5", "a size looks like"),
-        ("axb", "a size looks like"),
-        ("", "a size looks like"),
-        ("99999999999x5", "a size looks like"),
+        ("5", "a size is WIDTHxHEIGHT"),
+        ("axb", "a size is WIDTHxHEIGHT"),
+        ("", "a size is WIDTHxHEIGHT"),
+        ("99999999999x5", "a size is WIDTHxHEIGHT"),
         ("65536x65536", "at most 2^26 pixels"),
         ("4096x4096 --zoom 256", "at most 2^26 pixels"),
         ("8x8 --zoom 0", "0"),
@@ -254,8 +254,9 @@ fn differences_are_named_and_end_with_status_1() {
     assert_eq!(ran.out, expected);
     std::fs::write(&path, text.trim_end()).unwrap();
     let ran = run_in(home.path(), "diff a c").ends(1);
-    assert!(ran.out.contains("without a line's end"), "{}", ran.out);
-    run_in(home.path(), "diff a tiny").complains(2, &["one side is the folder of a set"]);
+    assert!(ran.out.contains("without a newline at the end"), "{}", ran.out);
+    run_in(home.path(), "diff a tiny")
+        .complains(2, &["one input is the folder of a set and the other is not"]);
     run_in(home.path(), "diff none tiny").complains(2, &["no profile \"none\""]);
     std::fs::create_dir(home.path().join("empty")).unwrap();
     run_in(home.path(), "diff a empty").complains(2, &["empty", "manifest.json"]);
@@ -276,7 +277,8 @@ fn reports_keep_their_keys() {
     assert_eq!(one.out, ran.out, "threads do not show");
     let text = run_in(home.path(), "claims --only edge.width").ends(0).out;
     assert!(text.ends_with(", 0 unmet\n") && text.contains("good   edge.width."), "{text}");
-    run_in(home.path(), "claims --only none").complains(2, &["no claim's id begins so"]);
+    run_in(home.path(), "claims --only none")
+        .complains(2, &["the id of no claim begins with this text"]);
 
     for name in ["tiny", "sgi-4k", "sgi-4k-walk", "d3d11"] {
         let report = json(&run_in(home.path(), &format!("budget {name} --json")).ends(0));
@@ -402,12 +404,12 @@ fn sets_of_the_default_job_lie_side_by_side() {
     std::fs::write(home.path().join(dumped), "0_0_0\n").unwrap();
     run_in(home.path(), "verify").ends(0);
     run_in(home.path(), "vectors --scene triangle --count 41 --force")
-        .complains(2, &[dumped, "is no part of a vector set"]);
+        .complains(2, &[dumped, "does not belong to a vector set"]);
     assert!(home.path().join(dumped).is_file());
     std::fs::create_dir(home.path().join("mine")).unwrap();
     std::fs::write(home.path().join("mine/thesis.txt"), "years").unwrap();
     run_in(home.path(), "vectors tiny --scene fan --count 9 --out mine --force")
-        .complains(2, &["mine/thesis.txt is no part of a vector set"]);
+        .complains(2, &["mine/thesis.txt does not belong to a vector set"]);
     assert!(home.path().join("mine/thesis.txt").is_file());
 }
 
@@ -430,10 +432,10 @@ fn bad_scenes_are_named_with_file_and_line() {
             ("half.jsonl", 2, "half.jsonl: line 2: "),
             ("raw.jsonl", 2, "raw.jsonl: line 2: "),
             ("far.jsonl", 2, "9999 is outside the vertex field"),
-            ("empty.jsonl", 2, "empty.jsonl: no triangles"),
+            ("empty.jsonl", 2, "empty.jsonl: the file has no triangles"),
             ("none", 2, "no scene `none`"),
-            ("none.obj", 3, "none.obj: cannot be read"),
-            ("./none", 3, "./none: cannot be read"),
+            ("none.obj", 3, "none.obj: the file cannot be read"),
+            ("./none", 3, "./none: the file cannot be read"),
         ] {
             run_in(home.path(), &format!("{command} --scene {scene}")).complains(status, &[about]);
         }

@@ -188,8 +188,8 @@ fn nonsense_is_refused_with_what_to_do() {
         (&["--machines", "pineda"][..], 2, "edge-function"),
         (&["--stamp", "3x3"], 2, "1x1"),
         (&["--scene", "nothing"], 2, "knot"),
-        (&["--scene", outside, "--no-time"], 2, "nothing left to draw"),
-        (&["--scene", outside, "--no-time"], 2, "1 triangles left out"),
+        (&["--scene", outside, "--no-time"], 2, "no triangle can be drawn"),
+        (&["--scene", outside, "--no-time"], 2, "1 triangles are left out"),
         (&["--window", "0x5"], 2, "1 to 65536"),
         (&["--show", "traversal", "--svg", "x.svg"], 2, "machines"),
         (&["missing.toml"], 3, "missing.toml"),
@@ -243,7 +243,10 @@ fn machines_orders_and_formats_are_axes_of_explore() {
     assert!(ties.len() == 6 && ties[0] > 10 && ties.iter().any(|t| t != &ties[0]), "{ties:?}");
     let ran = guardbit(&["fit", "--scene", "terrain", "--vary", "form=tiles,gouraud"]);
     assert_eq!(ran.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&ran.stderr).contains("explore measures every machine"));
+    assert!(
+        String::from_utf8_lossy(&ran.stderr)
+            .contains("use `guardbit explore`: it measures every machine")
+    );
 }
 
 /// Clause RG-22: a square cut along the diagonal that its pixels' samples lie on: four pixels are hit twice by
@@ -336,5 +339,5 @@ fn a_square_through_every_rasterizer() {
     assert_eq!(other.status.code(), Some(2));
     let refused = guardbit(&["explore", "n64", "--vary", "sub-pixel=2", "--scene", "fan"]);
     assert_eq!(refused.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&refused.stderr).contains("n64 begins at registers"));
+    assert!(String::from_utf8_lossy(&refused.stderr).contains("n64 is a register-level machine"));
 }

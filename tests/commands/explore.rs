@@ -126,7 +126,7 @@ fn a_profile_without_depth_has_no_depth_figures() {
     let fitted = json(&run_in(home.path(), fitted).ends(0));
     assert_eq!(fitted["witness"]["edge-width"]["fails"], true);
     let none = run_in(home.path(), "explore flat.toml --vary guard=0..1");
-    none.complains(2, &["guard", "no such field"]);
+    none.complains(2, &["guard", "the profile does not have this field"]);
 }
 
 const FIT: &str = "fit sgi-4k --scene knot --window 64x64 --vary edge-width=10..24 \
@@ -173,7 +173,7 @@ fn a_fit_has_its_budget_cost_and_witnesses() {
 fn a_fitted_profile_is_one_to_go_on_with() {
     let home = home();
     let text = run_in(home.path(), &format!("{FIT} --profile-out fitted.toml")).ends(0).out;
-    assert!(text.contains("one bit less:") && text.contains("fails: depth-worst"), "{text}");
+    assert!(text.contains("one bit fewer:") && text.contains("fails: depth-worst"), "{text}");
     assert!(text.contains("answer    the cheapest"), "{text}");
     let budget = json(&run_in(home.path(), "budget fitted.toml --json").ends(0));
     assert_eq!(budget["profile"], "sgi-4k-fit");
@@ -234,16 +234,25 @@ fn what_cannot_be_searched_is_said_with_the_nearest_that_can() {
     complains("explore tiny --objective beauty", &["depth-rms-world"]);
     complains("fit tiny --cost depth-worst", &["area-prefix"]);
     complains("fit tiny --within area=3", &["--cost"]);
-    complains("fit tiny --within depth-worst=-1", &["0 or more"]);
-    complains("fit tiny --within depth-worst=NaN", &["0 or more"]);
+    complains("fit tiny --within depth-worst=-1", &["finite number >= 0"]);
+    complains("fit tiny --within depth-worst=NaN", &["finite number >= 0"]);
     complains("fit tiny --within depth-worst", &["METRIC=LIMIT"]);
     complains("explore tiny --window 99999x2", &["65536"]);
     complains("explore tiny --shard 4/4 --vary guard=1", &["0 <= I < N"]);
     // Out of reach: the least that is possible, and where; allowed exactly that much, it is met.
     let fit = "fit tiny --scene triangle --vary interpolation=0..2 --within";
-    let ran = run_in(home.path(), &format!("{fit} depth-worst=0.001"))
-        .complains(2, &["depth-worst <= 0.001: the least is", "interpolation=2"]);
-    let least = ran.err.split("the least is ").nth(1).unwrap().split_whitespace().next().unwrap();
+    let ran = run_in(home.path(), &format!("{fit} depth-worst=0.001")).complains(
+        2,
+        &["depth-worst <= 0.001: the smallest value in the space is", "interpolation=2"],
+    );
+    let least = ran
+        .err
+        .split("the smallest value in the space is ")
+        .nth(1)
+        .unwrap()
+        .split_whitespace()
+        .next()
+        .unwrap();
     run_in(home.path(), &format!("{fit} depth-worst={least}")).ends(0);
 }
 
@@ -280,13 +289,9 @@ fn an_answer_that_draws_nothing_is_no_answer() {
     let named = format!("{space} --within depth-worst=2 --json");
     assert_eq!(json(&run_in(home.path(), &named).ends(0))["within"]["misclassified"]["limit"], 0.0);
     let none = run_in(home.path(), "fit tiny --scene far.jsonl --vary interpolation=0..3");
-    none.complains(2, &["snap-refused <= 0: the least is 1"]);
+    none.complains(2, &["snap-refused <= 0: the smallest value in the space is 1"]);
     let flat = run_in(home.path(), "fit tiny --scene flat.jsonl --vary interpolation=0..3").ends(0);
-    assert!(
-        flat.err.contains("note: depth-worst <= 0.5 holds for want of a figure"),
-        "{}",
-        flat.err
-    );
+    assert!(flat.err.contains("note: depth-worst <= 0.5 is not checked"), "{}", flat.err);
     let table = run_in(home.path(), "explore tiny --scene far.jsonl --no-speed").ends(0).out;
     assert!(table.contains("snap-refused"), "{table}");
 }

@@ -229,8 +229,8 @@ fn what_cannot_be_is_refused_before_anything_is_measured() {
         ("--html .", 3, ".: "),
         ("--html a.html --maps 99", 2, "--maps"),
         ("--html a.html --maps=-1", 2, "--maps"),
-        ("--svg a.svg --x beauty", 2, "no metric of that name"),
-        ("--svg a.svg --y area,delay", 2, "no metric of that name"),
+        ("--svg a.svg --x beauty", 2, "there is no metric of this name"),
+        ("--svg a.svg --y area,delay", 2, "there is no metric of this name"),
         ("--x area", 2, "--svg"),
         ("--maps 2", 2, "--html"),
     ] {
@@ -246,5 +246,5 @@ fn a_missing_synthesis_tool_says_how_to_get_it() {
     let mut command = guardbit();
     command.current_dir(home.path()).args(SPACE.split_whitespace()).arg("--synth");
     let ran = run::Ran::from(command.env("PATH", home.path()).output().unwrap());
-    ran.complains(2, &["yosys is not on this machine", "install yosys", "hint: "]);
+    ran.complains(2, &["yosys is not installed", "install yosys", "hint: "]);
 }

@@ -202,7 +202,8 @@ fn depth_of_polygons_is_refused_with_the_way_out() {
     let error = draw("scanline", &polygon).unwrap_err();
     assert_eq!(error, DrawError::PolygonDepth { machine: "scanline" });
     let said = error.to_string();
-    for part in ["the machine scanline", "no depth", "leave z out", "gouraud"] {
+    for part in ["the machine scanline", "only the coverage of polygons", "leave z out", "gouraud"]
+    {
         assert!(said.contains(part), "{said}");
     }
     // Both ways out work.
@@ -342,7 +343,7 @@ fn a_machine_of_ones_own_has_the_whole_command() {
     let compared =
         good(&run("compare own.toml --scene fan --machines conservative,scanline --no-time"));
     assert!(
-        compared.contains("no bound is stated, so none is checked: conservative"),
+        compared.contains("these machines state no bound, so no bound is checked: conservative"),
         "{compared}"
     );
     let compared = good(&run(

@@ -95,7 +95,7 @@ fn the_table_has_the_known_widths_and_each_row_a_misread_sample() {
 fn the_35_bits_are_an_exact_edge_function_without_a_guard_band() {
     let stored = find(&ask("sgi-4k", PLAIN), "edge.stored");
     assert_eq!((stored.bits, stored.given, stored.sufficient), (Some(35), Some(35), true));
-    assert!(stored.statement.contains("the profile's 35 are exactly enough"));
+    assert!(stored.statement.contains("the 35 bits of the profile are exactly enough"));
     assert!(stored.statement.contains("1 guard + 12 integer + 10 sub-pixel + 12 interpolation"));
     judge_width(&stored, 10);
     // The sentence on the budget is computed: another window has another one or none.
@@ -116,7 +116,7 @@ fn the_35_bits_are_an_exact_edge_function_without_a_guard_band() {
         let side = 4096_i128 << 10;
         (side - 512 + g) * (side + 2 * g) - 1
     };
-    assert!(stored.statement.contains("Vertices 171/1024 pixels further out"));
+    assert!(stored.statement.contains("171/1024 pixels further out"));
     assert!(fits(most(170) >> 10, 35) && !fits(most(171) >> 10, 35));
 }
 
@@ -154,7 +154,7 @@ fn the_39_bits_are_half_an_ulp_to_nearest() {
     assert_eq!((depth.bits, depth.sufficient), (Some(13), true));
     assert!(depth.statement.contains("2 guard + 24 integer + 13 interpolation = 39 bits"));
     assert!(depth.statement.contains("a start and 8190 steps"));
-    assert!(depth.statement.contains("of its 2 guard bits 1 is needed"));
+    assert!(depth.statement.contains("1 of its 2 guard bits is needed"));
     assert!(depth.bound.starts_with("8191 x 2^-14 = 8191/16384 < 1/2; with 12: "));
     for (profile, bits, s) in [("sgi-4k", 13, 10), ("d3d11", 15, 8), ("tiny", 3, 1)] {
         let depth = find(&ask(profile, PLAIN), "depth.interpolation");
@@ -527,20 +527,26 @@ fn questions_that_cannot_be_are_refused_with_the_nearest_that_can() {
         ("--window 70000x4", &["1 to 65536"]),
         (
             "--guard-band 4000000000",
-            &["guard-band = 4000000000", "> 32 bits", "most here is 2093056"],
+            &["guard-band = 4000000000", "> 32 bits", "largest possible value is 2093056"],
         ),
         ("--guard-band 2093057", &["guard-band = 2093057", "2093056"]),
-        ("--sub-pixel 40", &["sub-pixel = 40", "12 + 40 = 52 > 32", "most here is 20"]),
-        ("--sub-pixel 0", &["sub-pixel = 0 has no pixel centre"]),
-        ("--depth-bits 65", &["depth-bits = 65", "nearest possible is 61"]),
-        ("--depth-bits 0", &["depth-bits = 0", "nearest possible is 1"]),
+        (
+            "--sub-pixel 40",
+            &["sub-pixel = 40", "12 + 40 = 52 > 32", "largest possible value is 20"],
+        ),
+        (
+            "--sub-pixel 0",
+            &["sub-pixel = 0: a vertex grid without sub-pixels has no pixel centres"],
+        ),
+        ("--depth-bits 65", &["depth-bits = 65", "nearest possible value is 61"]),
+        ("--depth-bits 0", &["depth-bits = 0", "nearest possible value is 1"]),
         ("--claim nothing", &["--claim \"nothing\"", "edge.stored"]),
         ("--table --claim depth", &["--claim \"depth\""]),
         ("--table --window 4x4", &["cannot be used with"]),
         ("--limit 0", &["0"]),
         ("no-such-profile", &["no-such-profile"]),
         ("--smt a --gappa a", &["name the same file"]),
-        ("--claim depth.guard --gappa a", &["none of these claims"]),
+        ("--claim depth.guard --gappa a", &["Gappa cannot check any of the selected claims"]),
     ] {
         run_in(home.path(), &format!("prove {arguments}")).complains(2, about);
     }
@@ -608,7 +614,7 @@ fn provers_agree_disagree_are_missing_or_are_stopped() {
     let begun = std::time::Instant::now();
     let slow = ("z3", "exec 0<&- ; while :; do :; done");
     let ran = check_with(&[slow], &format!("{one} --limit 1")).ends(1);
-    assert!(ran.out.contains("STOPPED at its limit"), "{}", ran.out);
+    assert!(ran.out.contains("STOPPED at the time limit"), "{}", ran.out);
     assert!(begun.elapsed() < std::time::Duration::from_secs(20));
     let ran = check_with(&[honest], &format!("{one} --json")).ends(0);
     let checks = json(&ran)["checks"].clone();

@@ -141,7 +141,7 @@ fn a_part_without_a_budget_is_no_failure() {
     let (mut empty, mut shared) = (0, 0);
     for part in 0..20 {
         let ran = run_in(home, &format!("{TOY} --shard {part}/20 --save part-{part}")).ends(0);
-        if ran.err.contains("note: no number of this part is a budget") {
+        if ran.err.contains("note: this part of the space contains no valid budget") {
             assert_eq!(ran.out, "");
             empty += 1;
         } else {
@@ -184,7 +184,7 @@ fn a_file_of_something_else_is_refused_and_left() {
     }
     fs::write(home.join("empty"), "").unwrap();
     run_in(home, &format!("{TOY} --merge full empty"))
-        .complains(2, &["empty:1", "names the request"]);
+        .complains(2, &["empty:1", "describe the request"]);
     run_in(home, &format!("{TOY} --merge full none")).complains(3, &["none"]);
     run_in(home, &format!("{TOY} --save none/part")).complains(3, &["none/part"]);
     run_in(home, &format!("{TOY} --save .")).complains(3, &["."]);
@@ -276,7 +276,7 @@ fn an_interrupted_sweep_goes_on() {
             kill.args([format!("-{signal}"), child.id().to_string()]).status().unwrap().success()
         );
         let ran = Ran::from(child.wait_with_output().unwrap());
-        let ran = ran.complains(130, &["interrupted after ", "goes on from file"]);
+        let ran = ran.complains(130, &["interrupted after ", "continue from file"]);
         assert_eq!(ran.out, "");
         let file = fs::read(home.join("file")).unwrap();
         assert!(file.ends_with(b"}\n"), "whole lines");

@@ -233,7 +233,11 @@ fn what_is_no_set_of_this_model_is_refused() {
     std::fs::write(golden.file("manifest.json"), manifest.to_text()).unwrap();
     let recompute = CheckOptions { recompute: true, ..CheckOptions::default() };
     let error = checked(&golden.folder(), recompute).unwrap_err().to_string();
-    assert!(error.contains("\"xml\" is none of tv, bin, csv, jsonl, testfloat"), "{error}");
+    assert!(
+        error
+            .contains("format: \"xml\" is unknown; the formats are tv, bin, csv, jsonl, testfloat"),
+        "{error}"
+    );
     // Another model version, digest mended.
     let mut manifest = golden.manifest.clone();
     manifest.model_version += 1;
@@ -252,13 +256,14 @@ fn a_set_of_another_schema_is_refused_and_can_be_written_anew() {
         let error = checked(&golden.folder(), CheckOptions::default()).unwrap_err();
         assert!(matches!(error, CheckError::OtherSchema { .. }), "{error}");
         let text = error.to_string();
-        let says =
-            format!("manifest.json: a set of schema {found}, and this version reads schema 2");
+        let says = format!(
+            "manifest.json: the set has schema {found}, but this version of guardbit reads schema 2"
+        );
         assert!(text.contains(&says), "{text}");
         text
     };
     assert!(schema(3).contains("check the set with the version of guardbit that wrote it"));
-    assert!(schema(1).contains("write the set anew with `guardbit vectors`"));
+    assert!(schema(1).contains("write the set again with `guardbit vectors`"));
     // Fields that this version does not know are no reason to say less.
     let text = golden.text("manifest.json").replacen('{', "{\n  \"older\": true,", 1);
     std::fs::write(golden.file("manifest.json"), text).unwrap();
@@ -269,7 +274,7 @@ fn a_set_of_another_schema_is_refused_and_can_be_written_anew() {
     let force = Options { force: true, ..options(50) };
     let write = || write::write(&requests, &golden.folder(), false, &force, &Monitor::default());
     std::fs::write(golden.file("notes.txt"), "mine").unwrap();
-    assert!(write().unwrap_err().to_string().contains("notes.txt is no part of a vector set"));
+    assert!(write().unwrap_err().to_string().contains("notes.txt does not belong to a vector set"));
     std::fs::remove_file(golden.file("notes.txt")).unwrap();
     write().unwrap();
     assert_eq!(checked(&golden.folder(), CheckOptions::default()).unwrap().findings, []);
@@ -600,7 +605,7 @@ fn defects_of_set_up_and_drawing_are_called_by_name() {
             let beside = format!("sample is ({}, {half}) instead of", half + 1);
             defects.push((&|d| d.sample[0] += 1, covers, beside));
         }
-        defects.push((&|d| d.turns_round = false, covers, "not turned round".to_owned()));
+        defects.push((&|d| d.turns_round = false, covers, "not reversed".to_owned()));
         let end = "include the pixel at their right end".to_owned();
         defects.push((&|d| d.right_included = true, draws, end));
         let end = "leave out the pixel at their left end".to_owned();
@@ -675,7 +680,7 @@ fn keyed_rows_come_in_any_order_and_others_do_not() {
         lines.insert(5, lines[0]);
         let report = golden.compare(name, &lines.join("\n")).unwrap();
         assert_eq!(report.total, 1, "{name}");
-        assert!(report.mismatches[0].text.contains("too much"), "{:?}", report.mismatches);
+        assert!(report.mismatches[0].text.contains("extra row"), "{:?}", report.mismatches);
         assert_eq!(report.mismatches[0].row, None);
         assert!(!report.lost, "{name}: nothing is missing");
         // Two rows gone from the middle.
@@ -692,7 +697,7 @@ fn keyed_rows_come_in_any_order_and_others_do_not() {
         let stranger = format!("{}\nffff{}\n", text.trim_end(), &lines[0][4..]);
         let report = golden.compare(name, &stranger).unwrap();
         assert_eq!(report.total, 1, "{name}");
-        assert!(report.mismatches[0].text.contains("is no test of the set"));
+        assert!(report.mismatches[0].text.contains("the set has no test"));
     }
     let text = golden.set.text("dda.exp.tv");
     let mut lines: Vec<&str> = text.lines().collect();
@@ -818,8 +823,8 @@ fn what_is_no_dump_is_refused_with_its_line() {
         ("4_0000000000_000000", "op"),
         ("0_00000000000_000000", "acc"),
         ("0_000000000_000000", "acc"),
-        ("0_0000000000", "2 columns where 3 belong"),
-        ("0", "1 columns where 3 belong"),
+        ("0_0000000000", "the row has 2 columns, but 3 are needed"),
+        ("0", "the row has 1 columns, but 3 are needed"),
         ("0_0000000000_000000_0", "don't-care mask of 17 digits"),
         ("0_0000000000_000000_00000000000000000_0", "don't-care mask"),
         ("0_0000000000_00000g", "'g'"),
@@ -836,7 +841,7 @@ fn what_is_no_dump_is_refused_with_its_line() {
     }
     for empty in ["", "\n", "// nothing\n", "\r\n\r\n"] {
         let error = golden.compare("dda.exp.tv", empty).unwrap_err().to_string();
-        assert!(error.contains("dda.exp.tv: no rows"), "{error}");
+        assert!(error.contains("dda.exp.tv: the dump has no rows"), "{error}");
     }
     let (sets, _) = check::open(&golden.set.folder()).unwrap();
     let path = golden.keep.path().join("dda.exp.tv");
@@ -940,7 +945,7 @@ mod command {
         }
         golden.dump("edge.exp.tv", "");
         run_in(&home, &format!("verify {set} --dut edge.exp.tv"))
-            .complains(2, &["edge.exp.tv: no rows"]);
+            .complains(2, &["edge.exp.tv: the dump has no rows"]);
         golden.dump("edge.exp.tv", "0_00_0\nhello\n");
         run_in(&home, &format!("verify {set} --dut edge.exp.tv"))
             .complains(2, &["edge.exp.tv:2: "]);

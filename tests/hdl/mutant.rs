@@ -127,7 +127,9 @@ fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
         fate.classes.extend(tests.map(|(class, _)| class.to_owned()));
         if let Some((_, cause)) = ran.out.split_once("likely cause: ") {
             fate.named.push(cause.trim().to_owned());
-        } else if let Some((_, causes)) = ran.out.split_once("each explains the whole dump:") {
+        } else if let Some((_, causes)) =
+            ran.out.split_once("each of which explains the whole dump:")
+        {
             fate.listed.extend(causes.lines().map(|line| line.trim().to_owned()));
         }
         let lost = ran.out.lines().filter(|line| line.contains("rows are lost on the way"));

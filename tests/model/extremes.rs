@@ -402,9 +402,9 @@ fn nothing_outside_the_vertex_field_reaches_a_machine() {
     assert_eq!(sgi.fill(&foreign, &mut Raster::new(sgi.clip())), Err(refused));
     assert_eq!(
         refused.to_string(),
-        "the primitive was made for another vertex field: -8388608 <= x, y <= 8388607 at 8 sub-pixel \
+        "the primitive was made for a different vertex field: -8388608 <= x, y <= 8388607 at 8 sub-pixel \
          bits and z <= 16777215; this profile has 0 <= x, y <= 4194304 at 10 sub-pixel bits and z <= \
-         16777215; snap it with the model that draws it"
+         16777215; snap the primitive with the model that draws it"
     );
     let mut malformed = sgi.profile().vertex;
     malformed.integer = 100;

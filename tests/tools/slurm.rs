@@ -252,7 +252,11 @@ fn wrong_numbers_are_named(cluster: &Cluster) {
     cluster.drained();
     let good = cluster.states(&submitted);
     assert!(good.len() == 4 && good.iter().all(|(_, state)| state == "COMPLETED"), "{good:?}");
-    assert!(cluster.read("few/part-0.log").contains("note: no number of this part is a budget"));
+    assert!(
+        cluster
+            .read("few/part-0.log")
+            .contains("note: this part of the space contains no valid budget")
+    );
     let single = format!("{} --no-speed --csv", submitted.request);
     assert_eq!(cluster.read("few/all.csv"), run_in(cluster.home.path(), &single).ends(0).out);
     let bad = cluster.states(&shifted);

@@ -40,7 +40,7 @@ static void primitives(void) {
     EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_POLYGON, square, 8), GUARDBIT_REFUSED, "polygons");
     EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_POLYGON_DEPTH, square, 8), GUARDBIT_ARGUMENT, "3 numbers for each");
     EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_CLIP, clip, 9), GUARDBIT_REFUSED, "homogeneous");
-    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_WORDS, right, 10), GUARDBIT_REFUSED, "not set-up registers");
+    EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_WORDS, right, 10), GUARDBIT_REFUSED, "not registers");
     EXPECT(guardbit_draw_primitive(tiny, 7, right, 10), GUARDBIT_ARGUMENT, "kinds are 0 to 6");
     EXPECT(guardbit_draw_primitive(tiny, GUARDBIT_LINE, 0, 4), GUARDBIT_NULL, "numbers");
     IS(guardbit_draw_primitive(psp, GUARDBIT_WORDS, right, 10), 3);

@@ -64,7 +64,7 @@ def test_registers_are_drawn():
     [
         (lambda: guardbit.Model("nothing"), "nothing"),
         (lambda: guardbit.Model("tiny").words([1]), "draws primitives"),
-        (lambda: guardbit.Model("psp").words([1, 2]), "2 words are given, and this machine takes 10"),
+        (lambda: guardbit.Model("psp").words([1, 2]), "2 words are given, but this machine takes 10"),
         (lambda: guardbit.Model("tiny").draw([(-1, 0, 0), (8, 0, 7), (0, 8, 7)]), "-1"),
         (lambda: guardbit.Model("tiny").draw([(0, 0, 8), (8, 0, 7), (0, 8, 7)]), r"v\[0\]\[2\] = 8"),
         (lambda: guardbit.Model("tiny").depth_walk().clock(4, 0, 0, 0), "op = 4"),

@@ -51,7 +51,7 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
     }
     print(&mut output, &name, lens, &rows)?;
     output.line("")?;
-    output.line("vertices on a grid: RMS change of depth on this scene, in codes")?;
+    output.line("snapping of vertices: RMS change of depth on this scene, in codes")?;
     output.line("sub-pixel bits     16 bits     24 bits     32 bits")?;
     for row in &snapping {
         let [a, b, c] = row.codes.map(number);
@@ -91,7 +91,7 @@ fn snapped(
 fn print(output: &mut Output, scene: &str, lens: Lens, rows: &[FormatRow]) -> Result<(), Failure> {
     let Some(first) = rows.first() else { return Ok(()) };
     output.line(format!(
-        "{scene}: near {}, far {}, {} bits; the step from one code to the next, in distance",
+        "{scene}: near {}, far {}, {} bits; the distance from one code to the next",
         number(lens.near),
         number(lens.far),
         first.bits
@@ -113,5 +113,5 @@ fn print(output: &mut Output, scene: &str, lens: Lens, rows: &[FormatRow]) -> Re
         ))?;
     }
     output.line("")?;
-    output.line("mean step: over all distances, as a ratio to even steps; ties: neighbouring surfaces of one code")
+    output.line("mean step: mean over all distances, as a ratio to even steps; ties: neighbouring surfaces with the same code")
 }

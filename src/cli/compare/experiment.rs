@@ -24,7 +24,7 @@ pub(super) fn show(request: &Request<'_>) -> Result<Outcome, Failure> {
     }
     output.line("")?;
     output.line(
-        "acute triangles: slivers, covered exactly and by an edge walk of 12 fraction bits",
+        "acute triangles: thin triangles, exact coverage against an edge walk with 12 fraction bits",
     )?;
     output.line("width, pixels     samples   misplaced   percent   depth slope, ranges a pixel")?;
     for row in acute {

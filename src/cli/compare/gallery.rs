@@ -94,7 +94,7 @@ fn print(
     panels: &[Panel],
 ) -> Result<(), Failure> {
     output.line(format!(
-        "{}: {} x {}, {} triangles, each profile against the scene before snapping, at its own samples",
+        "{}: {} x {}, {} triangles; each profile is compared with the scene before snapping, at the samples of the profile",
         scene.name,
         size[0],
         size[1],
@@ -124,9 +124,9 @@ fn print(
     }
     output.line("")?;
     output.line(format!(
-        "holes: pixels of the scene that nothing hit; too few, too many: hits against those of the scene;\n\
-         outside: hits outside of their triangle, where the guard clamp alone holds a colour;\n\
-         colours off: hits more than {COLOUR_LIMIT} of 255 from the exact colour, where a machine has channels"
+        "holes: pixels of the scene that no triangle hits; too few, too many: fewer or more hits than in the scene;\n\
+         outside: hits outside their triangle, where only the guard clamp keeps a colour in its range;\n\
+         colours off: hits whose colour is more than {COLOUR_LIMIT} of 255 from the exact colour, for machines with channels"
     ))
 }
 
@@ -147,7 +147,7 @@ fn picture(scene: &Reference, panels: &[Panel]) -> Result<String, Failure> {
     let each = 2 * high + GAP / 2 + TITLE + GAP;
     let (whole, tall) = (GAP + columns * (pitch + GAP), 44 + count.div_ceil(columns) * each + 30);
     let name = &scene.name;
-    let title = format!("{name} through {count} rasterizers, {width} x {height} pixels");
+    let title = format!("{name} with {count} rasterizers, {width} x {height} pixels");
     let mut svg = head([whole, tall], &title);
     for (n, panel) in (0u32..).zip(panels) {
         let (x, y) = (GAP + n % columns * (pitch + GAP), 44 + n / columns * each);

@@ -36,7 +36,7 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
     ))?;
     output.line("")?;
     output.line(
-        "                 error, ULP              a triangle          a fragment         ns",
+        "                 error, ULP              per triangle        per fragment       ns",
     )?;
     output
         .line("by                worst      mean    add  mul  div    add  mul  div   fragment")?;

@@ -15,13 +15,13 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
         interruptible(|go_on| made.measure(&names, timed, go_on).map_err(Failure::input))?;
     if comparison.refused > 0 {
         eprintln!(
-            "note: {}: {} triangles left out: a vertex outside the vertex field, or behind the camera",
+            "note: {}: {} triangles are left out, because a vertex is outside the vertex field or behind the camera",
             comparison.scene, comparison.refused
         );
     }
     if comparison.triangles == 0 {
-        return Err(Failure::input(format!("{}: nothing left to draw", comparison.scene))
-            .hint("choose another --scene or a profile with a larger vertex field"));
+        return Err(Failure::input(format!("{}: no triangle can be drawn", comparison.scene))
+            .hint("choose another --scene, or a profile with a larger vertex field"));
     }
     if let Some((path, scene)) = svg {
         let mut made = compared(scene, &profile)?;
@@ -39,11 +39,15 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
         &comparison.machines
     {
         if *exact && *coverage_differs > 0 {
-            eprintln!("error: {name} is exact by construction and differs from the exact picture");
+            eprintln!(
+                "error: {name}: its coverage must be exact, but differs from the exact picture; the machine is wrong"
+            );
             return Ok(Outcome::Mismatch);
         }
         if depth_of_bound.is_some_and(|part| part > 1.0) || beyond_bound.is_some_and(|n| n > 0) {
-            eprintln!("error: {name} leaves the bound that its clause states");
+            eprintln!(
+                "error: {name} exceeds the error bound that its clause states; the machine or the bound is wrong"
+            );
             return Ok(Outcome::Mismatch);
         }
     }
@@ -72,7 +76,7 @@ fn columns(cells: [&str; 11]) -> String {
 fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<(), Failure> {
     let Comparison { scene, window, triangles, samples, machines, saved, .. } = comparison;
     output.line(format!(
-        "{scene} through {profile}: {} x {}, {triangles} triangles, {samples} samples",
+        "{scene} with {profile}: {} x {}, {triangles} triangles, {samples} samples",
         window[0], window[1]
     ))?;
     output.line("")?;
@@ -120,7 +124,7 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
     }
     output.line("")?;
     output.line(
-        "                  operations a triangle: set-up      operations a fragment: all else",
+        "                  operations per triangle: set-up    operations per fragment: the rest",
     )?;
     output.line(
         "machine              add   mul   div   cmp               add     mul     div     cmp",
@@ -144,12 +148,15 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
     let unstated: Vec<&str> = unstated.collect();
     if !unstated.is_empty() {
         output.line("")?;
-        output.line(format!("no bound is stated, so none is checked: {}", unstated.join(", ")))?;
+        output.line(format!(
+            "these machines state no bound, so no bound is checked: {}",
+            unstated.join(", ")
+        ))?;
     }
     for saved in saved {
         output.line("")?;
         output.line(format!(
-            "not needed: {} ({}): saves {} operations a triangle, {} a fragment, {} accumulator bits",
+            "not needed: {} ({}); without it: {} operations fewer per triangle, {} fewer per fragment, {} accumulator bits fewer",
             saved.evaluator, saved.why, saved.triangle, saved.fragment, saved.bits
         ))?;
     }

@@ -59,10 +59,9 @@ pub(super) fn machines(
     }
     let _ = write!(
         svg,
-        "<text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">Blue to red: depth error, each map on a scale of \
-         its own that ends at its worst.</text>\n\
-         <text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">White: a sample that is missing. Magenta: one too \
-         many.</text>\n</svg>\n",
+        "<text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">Blue to red: depth error; the scale of each map ends \
+         at the worst error of the map.</text>\n\
+         <text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">White: a missing sample. Magenta: an extra sample.</text>\n</svg>\n",
         tall - 30,
         tall - 12
     );

@@ -37,7 +37,7 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
             of_size[0].pixels
         ))?;
         output.line(
-            "machine              a triangle   a triangle   a fragment  a triangle   a fragment",
+            "machine            per triangle per triangle per fragment per triangle per fragment",
         )?;
         let least = |of: fn(&SizeRow) -> f64| of_size.iter().map(of).fold(f64::INFINITY, f64::min);
         let (fewest, quickest) =
@@ -49,7 +49,7 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
                 notes.push("fewest operations");
             }
             if row.ns.is_some_and(|ns| ns <= quickest) {
-                notes.push("quickest here");
+                notes.push("fastest here");
             }
             let line = format!(
                 "{:<17} {:>13} {:>12} {:>12} {:>11} {:>12}   {}",
@@ -80,15 +80,18 @@ fn chart(rows: &[SizeRow]) -> Chart {
         series[at].points.push((row.covered, row.operations / row.covered));
     }
     Chart {
-        title: "Where each machine wins: operations against triangle size".to_owned(),
-        x_label: "covered pixels a triangle".to_owned(),
-        y_label: "operations a covered pixel, set-up shared out".to_owned(),
+        title: "The cheapest machine for each triangle size: operations against triangle size"
+            .to_owned(),
+        x_label: "covered pixels per triangle".to_owned(),
+        y_label: "operations per covered pixel, including a share of the set-up".to_owned(),
         log_x: true,
         log_y: true,
         series,
         line: true,
-        caption: "Additions, multiplications, divisions and comparisons alike, counted from what \
-                  each machine does for random triangles of every direction. Lower is better."
-            .to_owned(),
+        caption:
+            "Operations are additions, multiplications, divisions and comparisons, all with the \
+                  same weight. They are counted while each machine draws random triangles of all \
+                  directions. Lower is better."
+                .to_owned(),
     }
 }

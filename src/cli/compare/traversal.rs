@@ -23,16 +23,16 @@ pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
         output.json(&Report { scene: &name, traversal: &rows })?;
     } else {
         output.line(format!(
-            "{name} through {}, stamps of {}",
+            "{name} with {}, stamps of {}",
             profile.name,
             arguments.stamp.name()
         ))?;
         output.line("")?;
         output.line(
-            "               samples evaluated     tiles    steps  samples that read otherwise than row by row",
+            "               samples evaluated     tiles    steps  samples that read differently from row order",
         )?;
         output.line(
-            "order                 a fragment    tested  a stamp  coverage   wrapping     sticky   floating",
+            "order               per fragment   tested per stamp  coverage   wrapping     sticky   floating",
         )?;
         for row in &rows {
             output.line(format!(

@@ -35,7 +35,7 @@ struct Break {
 
 pub(super) fn run(arguments: &SpaceArguments, json: bool) -> Result<Outcome, Failure> {
     if !arguments.axes.is_empty() {
-        let message = "--extremes takes each field down by itself: --vary does not go with it";
+        let message = "--extremes chooses its fields and values itself: leave out --vary";
         return Err(Failure::input(message));
     }
     let mut profile = profile::load(&arguments.profile)?;
@@ -45,11 +45,13 @@ pub(super) fn run(arguments: &SpaceArguments, json: bool) -> Result<Outcome, Fai
         profile.validate().map_err(Failure::input)?;
     }
     let monitor = progress::monitor();
-    let found = progress::watch("pushing", &monitor, || {
+    let found = progress::watch("measuring", &monitor, || {
         extremes(&profile, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
     })?;
     if monitor.cancel.load(Ordering::Relaxed) {
-        return Err(Failure::interrupted("interrupted: the suite was not finished"));
+        return Err(Failure::interrupted(
+            "interrupted: not all extremes were measured, so nothing is printed",
+        ));
     }
     let mut output = Output::new();
     if json {
@@ -90,7 +92,7 @@ fn print(output: &mut Output, extreme: &Extreme) -> Result<(), Failure> {
     let limit = figure(tolerance.limit);
     output.line("")?;
     output.line(format!("{name}: {pushed}"))?;
-    let own = own.as_ref().map_or(String::new(), |own| format!(", the profile's own is {own}"));
+    let own = own.as_ref().map_or(String::new(), |own| format!(", the profile has {own}"));
     match holds {
         Some((value, reached)) => output.line(format!(
             "  holds   {field}={value}: {metric} {} <= {limit}{own}",

@@ -9,23 +9,23 @@ use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 pub(super) struct FileArguments {
-    /// Write one page with charts, table and error maps into FILE: open it in any browser.
+    /// Write an HTML page with charts, table and error maps to FILE; any browser can open it.
     #[arg(long, value_name = "FILE")]
     html: Option<PathBuf>,
-    /// Budgets of the Pareto front that get an error map in the page, 0 to 16.
+    /// Number of budgets of the Pareto front with an error map in the page, 0 to 16.
     #[arg(long, value_name = "N", default_value_t = 4, requires = "html",
           value_parser = clap::value_parser!(u8).range(0..=16))]
     maps: u8,
-    /// Draw one chart into this SVG file, a series a value of the first varied field.
+    /// Write a chart to this SVG file, with one series for each value of the first varied field.
     #[arg(long, value_name = "FILE")]
     svg: Option<PathBuf>,
-    /// What the chart has on x; area by default.
+    /// The metric on the x axis of the chart; by default area.
     #[arg(long, value_name = "METRIC", requires = "svg", value_parser = parse_metric)]
     x: Option<Metric>,
-    /// What the chart has on y; depth-rms-world by default.
+    /// The metric on the y axis of the chart; by default depth-rms-world.
     #[arg(long, value_name = "METRIC", requires = "svg", value_parser = parse_metric)]
     y: Option<Metric>,
-    /// Count the cells of the Pareto front's units with yosys.
+    /// Synthesise the units of the Pareto front with yosys, and count their cells.
     #[arg(long)]
     synth: bool,
 }
@@ -52,7 +52,7 @@ impl FileArguments {
     /// Says of each file that there is nothing to draw in it.
     pub(super) fn leave(&self) {
         for path in [&self.html, &self.svg].into_iter().flatten() {
-            eprintln!("note: {} is not written: there is nothing to draw", path.display());
+            eprintln!("note: {} is not written: this part has no results to draw", path.display());
         }
     }
 

@@ -25,7 +25,7 @@ impl Keeper {
         };
         // A device or a pipe can be written to, but never be gone on from; some have no end.
         if std::fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
-            return Err(unfit("not a regular file, and only such a one can be gone on from"));
+            return Err(unfit("not a regular file; a sweep can continue only from a regular file"));
         }
         let mut options = OpenOptions::new();
         options.create(true).truncate(false).read(true).write(true);
@@ -42,11 +42,11 @@ impl Keeper {
         let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
         if whole > 0 {
             let text = std::str::from_utf8(&bytes[..whole])
-                .map_err(|_| unfit("not a text file of results"))?;
+                .map_err(|_| unfit("not a text file with results of `explore --save`"))?;
             store::read(sweep, &name, text, results)
                 .map_err(|error| Failure::input(error).hint("name another file with --save"))?;
         } else if !header.as_bytes().starts_with(&bytes) {
-            return Err(unfit("not a file of results"));
+            return Err(unfit("not a file with results of `explore --save`"));
         }
         let whole = whole as u64;
         file.set_len(whole).map_err(|error| failed(&error))?;

@@ -89,7 +89,9 @@ impl<'a> Session<'a> {
         // One of more parts than numbers is empty, and no failure: whoever waits for all parts waits
         // for this one, too. A whole space never is.
         if records.is_empty() {
-            eprintln!("note: no number of this part is a budget: nothing to measure");
+            eprintln!(
+                "note: this part of the space contains no valid budget, so nothing is measured"
+            );
         }
         Ok(records)
     }
@@ -106,10 +108,9 @@ impl<'a> Session<'a> {
         let message = format!("interrupted after {done} of {left} budgets");
         let failure = Failure::interrupted(&message);
         Err(match save {
-            Some(path) => {
-                failure.hint(&format!("the same command goes on from {}", path.display()))
-            }
-            None => failure.hint("with --save FILE an interrupted sweep can go on"),
+            Some(path) => failure
+                .hint(&format!("run the same command again to continue from {}", path.display())),
+            None => failure.hint("use --save FILE, and an interrupted sweep can continue"),
         })
     }
 
@@ -123,7 +124,8 @@ impl<'a> Session<'a> {
         #[allow(clippy::cast_precision_loss, reason = "an estimate")]
         let part = whole.mul_f64(left as f64 / self.sweep.space.len() as f64);
         if part > PATIENCE {
-            let keep = if save.is_some() { "" } else { "; --save FILE keeps what is done" };
+            let keep =
+                if save.is_some() { "" } else { "; use --save FILE to keep finished results" };
             eprintln!(
                 "note: {left} budgets on {} threads will take about {}{keep}",
                 self.threads,
@@ -145,11 +147,11 @@ impl<'a> Session<'a> {
             (0..self.sweep.space.len()).filter(|index| !results.contains_key(index)).collect();
         if let Some(first) = missing.first() {
             let message = format!(
-                "{} of {} budgets are in none of the files, the first is number {first}",
+                "{} of {} budgets are missing in the files; the first missing budget is number {first}",
                 missing.len(),
                 self.sweep.space.len()
             );
-            return Err(Failure::input(message).hint("run the parts that are missing to their end"));
+            return Err(Failure::input(message).hint("measure the missing parts, then merge again"));
         }
         Ok(measured(results))
     }

@@ -15,7 +15,7 @@ use std::time::Duration;
 
 /// For one unit; the widest of the built-in profiles takes a few seconds.
 const LIMIT: Duration = Duration::from_mins(2);
-const HINT: &str = "without --synth area and delay are estimated from the bits";
+const HINT: &str = "leave out --synth; area and delay are then estimated from the bit widths";
 
 /// Fails where there is no such tool: before a sweep of hours, not after it.
 pub(super) fn check() -> Result<(), Failure> {

@@ -168,7 +168,7 @@ pub(super) fn csv(output: &mut Output, records: &[Record]) -> Result<(), Failure
 /// Lists fields and metrics.
 pub(crate) fn help() -> Result<Outcome, Failure> {
     let mut output = Output::new();
-    output.line("fields to vary (--vary FIELD=VALUES, as 6..13, or a list with commas):")?;
+    output.line("fields to vary (--vary FIELD=VALUES; VALUES is a range such as 6..13, or a list with commas):")?;
     for field in Field::all() {
         let takes = match field.takes() {
             Takes::Bits { least, most, word } => {
@@ -179,7 +179,7 @@ pub(crate) fn help() -> Result<Outcome, Failure> {
         };
         output.line(format!("  {:<16} {takes}", field.name()))?;
     }
-    output.line("metrics (objectives of explore, costs and tolerances of fit):")?;
+    output.line("metrics (for --objective of explore, and --cost and --within of fit):")?;
     for metric in metric::all() {
         output.line(format!("  {:<28} {} ({})", metric.name, metric.about, metric.unit))?;
     }

@@ -12,7 +12,7 @@ pub(super) fn merge(request: &Request<'_>, files: &[PathBuf]) -> Result<Report, 
         let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
         let report: Report = serde_json::from_str(&text).map_err(|error| {
             Failure::input(format!("{name}:{}: {error}", error.line()))
-                .hint("an answer is written by `fit --save`")
+                .hint("--merge reads files that `fit --save` wrote")
         })?;
         if report.request != digest(request) {
             return Err(Failure::input(format!(
@@ -26,12 +26,14 @@ pub(super) fn merge(request: &Request<'_>, files: &[PathBuf]) -> Result<Report, 
     for index in 0..count {
         let of = parts.iter().filter(|p| p.part.unwrap_or([0, 1]) == [index, count]).count();
         if of != 1 {
-            return Err(Failure::input(format!("part {index}/{count} is in {of} of the files"))
-                .hint("name the answer of each part once"));
+            return Err(Failure::input(format!(
+                "part {index}/{count} is in {of} files, but must be in exactly 1"
+            ))
+            .hint("name the answer of each part once"));
         }
     }
     if parts.len() as u64 != count {
-        let message = format!("{} files for {count} parts", parts.len());
+        let message = format!("there are {} files, but the request has {count} parts", parts.len());
         return Err(Failure::input(message).hint("name the answer of each part once"));
     }
     let key =
@@ -40,7 +42,7 @@ pub(super) fn merge(request: &Request<'_>, files: &[PathBuf]) -> Result<Report, 
         .iter()
         .min_by(|a, b| key(a).0.total_cmp(&key(b).0).then(key(a).1.cmp(&key(b).1)))
         .cloned()
-        .ok_or_else(|| Failure::input("no parts to join"))?;
+        .ok_or_else(|| Failure::input("there are no parts to join"))?;
     whole.effort = Effort::default();
     for part in &parts {
         whole.effort.add(&part.effort);

@@ -43,11 +43,12 @@ impl Report {
                         .iter()
                         .map(|(name, value)| in_words_budget(name, setting(value)))
                         .collect();
-                    output.line(format!("larger    this one fails: {}", parts.join(" ")))?;
+                    output
+                        .line(format!("larger    this larger budget fails: {}", parts.join(" ")))?;
                 }
             }
         }
-        output.line("one bit less:")?;
+        output.line("one bit fewer:")?;
         for (field, failing) in &self.witness {
             failing.print(output, field)?;
         }
@@ -57,15 +58,15 @@ impl Report {
     fn print_effort(&self, output: &mut Output) -> Result<(), Failure> {
         let e = self.effort;
         let reasons = [
-            (e.by_cost, "cost more than one that meets all"),
-            (e.by_coverage, "by what they draw"),
-            (e.by_snap, "by snapping alone"),
-            (e.by_range, "by values beyond their guard bits"),
-            (e.by_witness, "by a triangle that refuted another"),
+            (e.by_cost, "cost more than a budget that meets all tolerances"),
+            (e.by_coverage, "by their coverage"),
+            (e.by_snap, "by the snap error alone"),
+            (e.by_range, "by values outside the range of their guard bits"),
+            (e.by_witness, "by a triangle that failed with another budget"),
             (e.by_part, "by a part of the scene"),
-            (e.by_sameness, "proved equal to one measured"),
+            (e.by_sameness, "proved equal to a measured budget"),
             (e.by_bound, "proved by bounds"),
-            (e.by_larger, "smaller than one that fails"),
+            (e.by_larger, "smaller than a budget that fails"),
         ];
         let named: Vec<String> = reasons
             .iter()
@@ -73,7 +74,7 @@ impl Report {
             .map(|(count, reason)| format!("{count} {reason}"))
             .collect();
         output.line(format!(
-            "searched  {} budgets: {} measured as a whole, {} settled without ({})",
+            "searched  {} budgets: {} measured in full, {} decided without a full measurement ({})",
             self.budgets,
             self.evaluated,
             self.pruned,

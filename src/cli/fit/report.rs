@@ -124,11 +124,13 @@ impl Report {
         };
         let failing = |best: &Best| best.lesser.iter().map(|l| lesser(l, scenes)).collect();
         let answer = match best {
-            _ if request.robust => "the cheapest that every larger one also meets",
-            Some(best) if best.larger.failed.is_none() => {
-                "the cheapest; every larger one meets the tolerances, too"
+            _ if request.robust => {
+                "the cheapest budget for which every larger budget also meets the tolerances"
             }
-            _ => "the cheapest; not every larger one meets the tolerances",
+            Some(best) if best.larger.failed.is_none() => {
+                "the cheapest budget; every larger budget also meets the tolerances"
+            }
+            _ => "the cheapest budget; not every larger budget meets the tolerances",
         };
         Self {
             budget: best.map(|best| as_map(&best.budget())),
@@ -169,7 +171,7 @@ fn lesser(lesser: &Lesser, scenes: &[String]) -> (String, Failing) {
     match lesser {
         Lesser::Impossible(field, why) => (field.name().to_owned(), bare(false, why.clone())),
         Lesser::Meets(field) => {
-            let why = "one bit less also meets the tolerances: it is not in the space, or not \
+            let why = "one bit fewer also meets the tolerances, but is not in the space or not \
                        cheaper";
             (field.name().to_owned(), bare(false, why.to_owned()))
         }

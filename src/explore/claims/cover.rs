@@ -31,30 +31,30 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "cover.offset-grid",
-            "offsetting the grid keeps samples off vertices, not off edges: sample (1/2, 1/2) \
-             against triangle (0,0) (1,1) (0,1)",
+            "an offset of the sample grid keeps samples off the vertices but not off the edges: \
+             sample (1/2, 1/2) lies on an edge of triangle (0,0) (1,1) (0,1)",
             "OnEdge",
             || format!("{:?}", classify([[0, 0], [2, 2], [0, 2]], [1, 1])),
         ),
         Statement::exact(
             "cover.figure",
-            "pixels of 14 triangles with quarter-pixel vertices, top-left rule, by biased edge \
-             functions",
+            "number of pixels of 14 triangles with quarter-pixel vertices and the top-left rule, \
+             computed with biased edge functions",
             &row,
             move || counts(by_edges),
         ),
         Statement::exact(
             "cover.figure-exact",
-            "the same by exact row crossings",
+            "number of pixels of the same triangles, computed with exact row crossings",
             &row,
             move || counts(by_crossings),
         )
         .slow(),
         Statement::exact(
             "cover.shared-edge",
-            "two triangles on either side of a shared edge cover each centre strictly between its \
-             ends exactly once: every such pair on a 5 x 5 half-pixel lattice, each winding; \
-             holes + double hits",
+            "two triangles on the two sides of a shared edge cover each centre strictly between the \
+             ends of the edge exactly once; tested for every such pair on a 5 x 5 half-pixel \
+             lattice and each winding; number of holes + double hits",
             "0 + 0",
             shared_edges,
         )

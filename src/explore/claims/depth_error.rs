@@ -33,7 +33,7 @@ pub(super) fn statements() -> Vec<Statement> {
                 format!(
                     "24-bit depth walked over 4096 x 4096, s = 10, {rounding}, F = {fraction}: \
                      {figure}; {SAMPLES} triangles with uniform vertices and depths, one covered \
-                     pixel each, mix64 seed {SEED} class {CLASS}"
+                     pixel in each, mix64 seed {SEED} class {CLASS}"
                 )
             };
             let cell = Arc::new(OnceLock::new());
@@ -60,7 +60,7 @@ pub(super) fn statements() -> Vec<Statement> {
                 ),
                 Statement::within(
                     format!("depth.misrounded-{name}"),
-                    what("share whose nearest integer is not the exact plane's"),
+                    what("share of pixels whose nearest integer differs from that of the exact plane"),
                     misrounded,
                     0.006,
                     figure(|m| m.misrounded),

@@ -13,21 +13,22 @@ pub(super) fn statements() -> Vec<Statement> {
     let mut list = vec![
         Statement::exact(
             "depth-format.far-loss",
-            "step of integer Z/w at the far plane over the linear step: f/n, so log2(f/n) bits; \
-             f/n = 2, 16, 1000",
+            "ratio of the step of integer Z/w at the far plane to the linear step: f/n, so \
+             log2(f/n) bits are lost; for f/n = 2, 16, 1000",
             "2, 16, 1000",
             || [2, 16, 1000].map(|r| step_ratio(&integer(r), &integer(r)).to_string()).join(", "),
         ),
         Statement::exact(
             "depth-format.mean-step",
-            "mean of that ratio over z, (r^2 + r + 1) / (3r), for r = 10, 100, 1000; by Simpson's \
-             rule, exact for a step that is quadratic in z",
+            "mean of the ratio of depth-format.far-loss over z, (r^2 + r + 1) / (3r), for r = 10, \
+             100, 1000; computed with Simpson's rule, which is exact for a step that is quadratic \
+             in z",
             "37/10, 3367/100, 333667/1000",
             || [10, 100, 1000].map(|r| mean_step(r).to_string()).join(", "),
         ),
         Statement::exact(
             "depth-format.codes-near",
-            "n = 0.1 m, f = 10^4 m, 24 bits: codes nearer than 1 m, percent of all",
+            "percentage of all codes that are nearer than 1 m, for n = 0.1 m, f = 10^4 m, 24 bits",
             "90.0009 %",
             || {
                 // In units of n: z = 10, r = 10^5.
@@ -41,7 +42,7 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "depth-format.step-1m",
-            "n = 0.1 m, f = 10^4 m, 24 bits: depth in cm at which dz per code reaches 1 m",
+            "depth in cm at which dz per code reaches 1 m, for n = 0.1 m, f = 10^4 m, 24 bits",
             "129528",
             step_one_metre,
         ),
@@ -50,9 +51,9 @@ pub(super) fn statements() -> Vec<Statement> {
         Statement::exact(
             format!("depth-format.float-{r}"),
             format!(
-                "complementary Z/w in a 24-bit unsigned float with gradual underflow, f/n = \
-                {r}: mean step over z against the linear step at 4 exponent bits, and the \
-                exponent size that is best of 1 to 6"
+                "complementary Z/w in a 24-bit unsigned floating-point format with gradual \
+                 underflow, f/n = {r}: ratio of the mean step over z to the linear step for 4 \
+                 exponent bits, and the best number of exponent bits from 1 to 6"
             ),
             format!("{expected}, best 4"),
             move || {

@@ -11,8 +11,9 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "edge.budget-35",
-            "lecture A's edge budget, 1 guard + 12 integer + 10 sub-pixel + 12 interpolation \
-             bits, is the stored width at 4096, s = 10; with a guard band of one pixel",
+            "lecture A's edge budget, 1 guard + 12 integer + 10 sub-pixel + 12 interpolation bits, \
+             is equal to the stored width for a 4096 window and s = 10; the second number is the \
+             width with a guard band of one pixel",
             "35 = 35; 36",
             || {
                 let [none, one] = [0, 1].map(|guard| window(4096, guard, 10).bits().1);
@@ -21,8 +22,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.34-fails",
-            "stored words at the 64 box corners of 4096, s = 10 whose sign is wrong in 35 bits, \
-             and whether any is in 34",
+            "number of stored words at the 64 box corners of a 4096 window, s = 10, whose sign is \
+             wrong in 35 bits, and whether any sign is wrong in 34 bits",
             "35: 0, 34: some",
             || {
                 let wrong = [wrong_signs::<35>(), wrong_signs::<34>()];
@@ -31,8 +32,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.34-witness",
-            "edge (4096, 0) to (4096, 4096) at the centre of pixel (0, 0), inside: 2^34 - 2^21 - \
-             1 stored in 35 bits, read from 34",
+            "edge (4096, 0) to (4096, 4096) at the centre of pixel (0, 0), which is inside: the \
+             value 2^34 - 2^21 - 1 as stored in 35 bits, and as read from 34 bits",
             "17177772031, -2097153",
             || {
                 let edge = EdgeCoefficients::between([4096 << 10, 0], [4096 << 10, 4096 << 10]);
@@ -44,7 +45,7 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.largest-32",
-            "largest s whose stored word fits 32 bits at 2048 / at 8192",
+            "largest s for which the stored word fits 32 bits, for a window of 2048 / of 8192",
             "9 / 5",
             || {
                 [2048, 8192]
@@ -55,8 +56,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.bias-order",
-            "edge (4096, 0) to (4096, 4096) seen from x = 0, s = 10: E >> s without the fill \
-             bias, with the bias applied first, and whether each fits 35 bits",
+            "edge (4096, 0) to (4096, 4096) at x = 0, s = 10: E >> s without the fill bias, E >> s \
+             with the bias added before the shift, and whether each value fits 35 bits",
             "2^34 no, 2^34-1 yes",
             bias_order,
         ),

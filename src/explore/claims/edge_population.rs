@@ -82,7 +82,7 @@ pub(super) fn statements() -> Vec<Statement> {
             "walk.mean-floor",
             what(
                 "mean error in sub-pixels over rows, floor: -1/8 for uniform ends, since the \
-                mean row is W/4 down its edge and loses half a unit a row (-0.114 is quoted for \
+                mean row is W/4 below the top of its edge and loses half a unit per row (-0.114 is quoted for \
                 another population of edges)",
             ),
             -0.125,

@@ -73,9 +73,9 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "walk.exact-fraction",
-            "fraction bits for exact coverage with floor and ceil(x - 1/2), every edge of windows \
-             2^k, grid s; (k,s) = (1,1) is the exception to 2k+2s, and with s = 0 centres lie off \
-             the lattice",
+            "number of fraction bits for exact coverage with floor and ceil(x - 1/2), for every \
+             edge of a window of 2^k pixels with s sub-pixel bits; (k,s) = (1,1) is the exception \
+             to 2k+2s, and with s = 0 the centres are not on the lattice",
             "(1,1) 3, (1,2) 6, (1,3) 8, (2,1) 6, (2,2) 8, (3,1) 8, (3,2) 10, (4,1) 10, (3,0) 7, \
              (4,0) 9",
             || {
@@ -98,22 +98,23 @@ pub(super) fn statements() -> Vec<Statement> {
         .slow(),
         Statement::exact(
             "walk.ties",
-            "fraction bits from 0 to 60 at which an edge walk is exact over a window of 8 pixels, \
-             s = 1: nearest / toward zero",
+            "numbers of fraction bits from 0 to 60 for which an edge walk is exact in a window of 8 \
+             pixels, s = 1: rounding to nearest / toward zero",
             "none / none",
             || [Rounding::NearestEven, Rounding::TowardZero].map(never_exact).join(" / "),
         ),
         Statement::exact(
             "walk.tie-example",
-            "edge (0, 1/2) to (1, 6 1/2), row 3, exact x = 1/2, F = 22 nearest: accumulator minus \
-             2^21, its pixel, the right pixel",
+            "edge (0, 1/2) to (1, 6 1/2), row 3, exact x = 1/2, F = 22, rounding to nearest: \
+             accumulator minus 2^21, pixel of the accumulator, correct pixel",
             "1, pixel 1, right 0",
             tie_example,
         ),
         Statement::exact(
             "walk.half-sub-pixel",
-            "fraction bits that keep every accumulated x within half a sub-pixel, nearest / floor \
-             (s+k and s+k+1), every edge of the windows named; on (1,1) floor makes do with 2",
+            "number of fraction bits that keep every accumulated x within half a sub-pixel, \
+             rounding to nearest / floor (s+k and s+k+1), for every edge of these windows; for \
+             (1,1), 2 bits are enough with floor",
             "(1,2) 3 / 4, (2,1) 3 / 4, (2,2) 4 / 5, (3,1) 4 / 5, (3,2) 5 / 6, (4,1) 5 / 6",
             || {
                 [(1, 2), (2, 1), (2, 2), (3, 1), (3, 2), (4, 1)]

@@ -82,8 +82,9 @@ pub(super) fn statements() -> Vec<Statement> {
     list.extend([
         Statement::exact(
             "edge.maximum",
-            "max |E| over a window W with guard band G is (W + G - 1/2)(W + 2G) 4^s: corners \
-             against formula for W = 2 to 8192, G = 0, W/2, W, 5W, s = 1 to 10; mismatches",
+            "the maximum of |E| over a window W with guard band G is (W + G - 1/2)(W + 2G) 4^s; \
+             number of cases where the corners and the formula differ, for W = 2 to 8192, G = 0, \
+             W/2, W, 5W, s = 1 to 10",
             "0",
             || {
                 cases()
@@ -96,8 +97,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.coefficients",
-            "bits of A and B at k = 12, s = 10, half-open / closed vertices (k+s+1 and k+s+2), \
-             from real edges / from the vertex field",
+            "bits of A and B for k = 12, s = 10 with half-open / closed vertices (k+s+1 and k+s+2), \
+             first from real edges, then from the vertex field",
             "23 / 24, 23 / 24",
             || {
                 let real = [(1 << 22) - 1, 1 << 22].map(|high| {
@@ -110,15 +111,16 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.constant",
-            "max |C|: (W + G)(W + 2G) 4^s from the window's corner, (W + 2G)^2 / 2 4^s from its \
-             centre; W = 2 to 8192, G = 0, W/2, W, 5W, s = 1 to 10; mismatches",
+            "the maximum of |C| is (W + G)(W + 2G) 4^s if C is taken at the corner of the window, \
+             and (W + 2G)^2 / 2 4^s at its centre; number of mismatches for W = 2 to 8192, G = 0, \
+             W/2, W, 5W, s = 1 to 10",
             "0",
             || cases().filter(|case| !constant_agrees(*case)).count(),
         ),
         Statement::exact(
             "edge.twice-plus-one",
-            "an edge function of unsigned p-bit coordinates takes 2p + 1 bits, not 2p + 2: every \
-             vertex pair and sample for p = 2, 3; box corners for p = 4 to 24",
+            "an edge function of unsigned p-bit coordinates needs 2p + 1 bits, not 2p + 2; tested \
+             for every vertex pair and sample for p = 2, 3, and for the box corners for p = 4 to 24",
             "2p+1 for p = 2 to 24",
             twice_plus_one,
         ),

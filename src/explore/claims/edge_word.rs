@@ -14,9 +14,9 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "edge.stored-word",
-            "walking (E + bias) >> s in 2k+s+1 bits: wrong samples over every edge and centre of \
-             windows 2^k, grid s = (1,1) (1,2) (2,1) (2,2) (3,1); and how many of the five fail \
-             with one bit less",
+            "walking (E + bias) >> s in 2k+s+1 bits: number of wrong samples over every edge and \
+             centre of windows of 2^k pixels with s sub-pixel bits, (k,s) = (1,1) (1,2) (2,1) (2,2) \
+             (3,1); and how many of these five windows fail with one bit fewer",
             "0 wrong, 5 of 5 fail with 2k+s",
             || {
                 let wrong: usize = TOYS.into_iter().map(|(k, s)| wrong_walks(k, s, 0, true)).sum();
@@ -28,14 +28,15 @@ pub(super) fn statements() -> Vec<Statement> {
         .slow(),
         Statement::exact(
             "edge.low-bits",
-            "edges of (k,s) = (2,2) whose low s bits of E differ between two centres",
+            "number of edges for (k,s) = (2,2) where the low s bits of E differ between two pixel \
+             centres",
             "0",
             low_bits_differ,
         ),
         Statement::exact(
             "edge.down-step",
-            "lecture O's edge (inside negative): E(x, y+1) = E - dX and C = Y dX - X dY, not E + \
-             dX; edges of (k,s) = (2,1) where it fails",
+            "for the edge of lecture O (inside is negative), E(x, y+1) = E - dX and C = Y dX - X \
+             dY, not E + dX; number of edges for (k,s) = (2,1) where this fails",
             "0",
             || {
                 pairs(9)
@@ -51,32 +52,33 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "edge.any-sample",
-            "2k+s+1 bits hold the biased word for any sample on the grid in [0, W)^2: every edge \
-             and sample of (1,1) (1,2) (2,1), corners at k = 12, s = 10; the same without bias",
+            "2k+s+1 bits hold the biased word for every sample on the grid in [0, W)^2; tested for \
+             every edge and sample for (k,s) = (1,1) (1,2) (2,1), and for the corners for k = 12, s \
+             = 10; then the same without bias",
             "biased 4, 5, 6, 35; unbiased 5, 6, 7, 36",
             any_sample,
         ),
         Statement::exact(
             "cover.exact",
-            "coverage by biased edge functions against exact row crossings, every triangle and \
-             grid sample of a 4 x 4 sub-pixel lattice; differences",
+            "coverage with biased edge functions against exact row crossings, for every triangle \
+             and grid sample of a 4 x 4 sub-pixel lattice; number of differences",
             "0",
             || lattice_triangles(4).map(differences).sum::<usize>(),
         )
         .slow(),
         Statement::exact(
             "plane.pick",
-            "smallest twice-area of a lattice triangle with a lattice point strictly inside \
-             (Pick: 3), and with one covered by the top-left rule; every triangle on a 4 x 4 \
-             lattice",
+            "smallest twice-area of a lattice triangle with a lattice point strictly inside (3 by \
+             Pick's theorem), and of a lattice triangle with a lattice point that the top-left rule \
+             covers; over every triangle on a 4 x 4 lattice",
             "3, 1",
             smallest_areas,
         )
         .slow(),
         Statement::exact(
             "plane.smallest-covered",
-            "triangle (1,1) (2,1) (1,2) at one sub-pixel bit: twice its area, and pixel centres \
-             covered",
+            "triangle (1,1) (2,1) (1,2) with one sub-pixel bit: twice its area, and the number of \
+             covered pixel centres",
             "1, 1",
             || {
                 let triangle = Triangle { xy: [[1, 1], [2, 1], [1, 2]], z: None };

@@ -11,30 +11,30 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "guard.table-1",
-            "lecture A's table, one guard bit over two integer bits, values -2 to 5 (patterns \
-             110, 111, 000 to 101; its row labels are swapped, its pseudo-code is right)",
+            "lecture A's table: one guard bit above two integer bits, values -2 to 5 (patterns 110, \
+             111, 000 to 101); the row labels of the lecture are swapped, its pseudo-code is right",
             "0 0 0 1 2 3 3 3",
             || table(1, 2, -2..=5),
         ),
         Statement::exact(
             "guard.table-2",
-            "two guard bits over two integer bits by the top three bits: 000 and 001 pass, 010 \
-             011 100 give the maximum, 101 110 111 give 0; patterns 0000 to 1111",
+            "two guard bits above two integer bits, decoded from the top three bits: 000 and 001 \
+             pass, 010 011 100 give the maximum, 101 110 111 give 0; patterns 0000 to 1111",
             "0 1 2 3 3 3 3 3 3 3 0 0 0 0 0 0",
             || table(2, 2, 0..=15),
         ),
         Statement::exact(
             "guard.smallest-case",
-            "A (5.5,.5) z 0, B (8.5,.5) z 1, C (5.5,3.5) z 0, floor, F = 13: accumulator at A, \
-             read with one guard bit, read with none",
+            "vertices A (5.5,.5) z 0, B (8.5,.5) z 1, C (5.5,3.5) z 0, floor, F = 13: accumulator \
+             at A, its read-out with one guard bit, its read-out without guard bits",
             format!("-4, 0, {}", (1 << 24) - 1),
             smallest_case,
         ),
         Statement::exact(
             "guard.one-suffices",
-            "reads of covered centres that differ from an unlimited clamp with 1 guard bit, floor \
-             / nearest, and whether any do with none: every triangle and depth of (k,s,d) = \
-             (2,1,1), F = 3",
+            "number of read-outs at covered centres that differ from an unlimited clamp with 1 \
+             guard bit, floor / nearest, and whether any read-out differs without guard bits; over \
+             every triangle and depth for (k,s,d) = (2,1,1), F = 3",
             "0 / 0, some / some",
             || {
                 let [floor, nearest] = wrong_reads([Rounding::Floor, Rounding::NearestEven]);
@@ -46,9 +46,10 @@ pub(super) fn statements() -> Vec<Statement> {
         .slow(),
         Statement::exact(
             "guard.multisample",
-            "depth at the centre of a multisampled sliver spanning the whole range, centre 1/2 \
-             pixel beyond its edge along the gradient: widest sliver in 1/1024 pixel that wraps, \
-             g = 1 to 4, below 2t/(2^g - 1) = 1024/1, 1024/3, 1024/7, 1024/15",
+            "depth at the pixel centre of a multisampled thin triangle with the whole depth range, \
+             where the centre is 1/2 pixel beyond its edge along the gradient: width in 1/1024 \
+             pixel of the widest triangle that wraps, for g = 1 to 4 guard bits; it is below \
+             2t/(2^g - 1) = 1024/1, 1024/3, 1024/7, 1024/15",
             "1023, 341, 146, 68",
             || (1..=4).map(widest_wrap).collect::<Vec<_>>().join(", "),
         ),

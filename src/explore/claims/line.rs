@@ -9,7 +9,7 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "line.midpoint",
-            "lecture S, (10,10) to (20,17): d0, dE, dNE",
+            "lecture S, line (10,10) to (20,17): values of d0, dE, dNE",
             "4, 14, -6",
             || {
                 let [d0, east, north_east] = midpoint_steps(10, 7);
@@ -18,31 +18,36 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "line.decisions",
-            "the same walk's decision variable, going NE on zero (the lecture's code; its figure \
-             goes E at (14,13)), and the pixel after (14,13)",
+            "decision variable of the line of line.midpoint, with a step NE on zero (as in the code \
+             of the lecture; its figure steps E at (14,13)), and the pixel after (14,13)",
             "4 -2 12 6 0 -6 8 2 -4 10, (15,14)",
             decisions,
         ),
-        Statement::exact("line.tie", "exact y of that line at x = 15", "27/2", || {
-            exact_y(15, 0).map_or("none".to_owned(), |y| y.to_string())
-        }),
+        Statement::exact(
+            "line.tie",
+            "exact y of the line of line.midpoint at x = 15",
+            "27/2",
+            || exact_y(15, 0).map_or("none".to_owned(), |y| y.to_string()),
+        ),
         Statement::exact(
             "line.diamond-d3d",
-            "(10,10) to (20,17) between pixel centres, Direct3D's diamond (its two lower edges \
-             and bottom corner belong to it): rows of columns 10 to 19",
+            "line (10,10) to (20,17) between pixel centres with the diamond of Direct3D (its two \
+             lower edges and its bottom corner belong to it): rows of columns 10 to 19",
             "10 11 11 12 13 13 14 15 16 16",
             || diamonds(0, true),
         ),
         Statement::exact(
             "line.diamond-vulkan",
-            "the same line moved by -(e, e^2), e = 2^-20, as Vulkan and GL perturb it",
+            "the line of line.diamond-d3d moved by -(e, e^2), e = 2^-20, which is the perturbation \
+             of Vulkan and GL",
             "10 11 11 12 13 14 14 15 16 16",
             || diamonds(20, false),
         ),
         Statement::exact(
             "line.integer-offset",
-            "lecture S's integer line starting at floor(dx/2) against midpoint with tie to NE, \
-             every line of slope 0 to 1 with dx <= 40; different pixels",
+            "lecture S's integer line, which starts at floor(dx/2), against the midpoint algorithm \
+             with ties to NE, for every line of slope 0 to 1 with dx <= 40; number of different \
+             pixels",
             "0",
             || {
                 (1..=40)
@@ -53,15 +58,15 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "line.circle",
-            "lecture M's circle with a threshold of y - 1 instead of a constant, R = 10, second \
+            "lecture M's circle with the threshold y - 1 instead of a constant, R = 10, second \
              octant",
             "(0,10)(1,10)(2,10)(3,10)(4,9)(5,9)(6,8)(7,7)",
             || circle(10),
         ),
         Statement::exact(
             "line.edge-coherence",
-            "lecture S's integer edge walk with dX/dY = 5/2 over three rows: its rule (once, and \
-             only if sum > dY) against a loop with >=",
+            "lecture S's integer edge walk with dX/dY = 5/2 over three rows: its rule (one step at \
+             most, and only if sum > dY) against a loop with >=",
             "3, 7",
             || format!("{}, {}", coherence(5, 2, 3, false), coherence(5, 2, 3, true)),
         ),

@@ -10,7 +10,7 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "plane.slope-small",
-            "largest |dz/dx| in ULP per pixel, every triangle and depth of (k,s,d) = (1,0,2), \
+            "largest |dz/dx| in ULP per pixel over every triangle and depth for (k,s,d) = (1,0,2), \
              (1,1,2), (1,1,3): (2^d - 1) W 4^s",
             "6, 24, 56",
             || [(1, 0, 2), (1, 1, 2), (1, 1, 3)].map(|(k, s, d)| steepest(k, s, d)).join(", "),
@@ -18,8 +18,8 @@ pub(super) fn statements() -> Vec<Statement> {
         .slow(),
         Statement::exact(
             "plane.slope-sgi",
-            "|dz/dx| at k = 12, s = 10, d = 24 on a triangle of the window's height with \
-             twice-area 1, as 2^56 minus",
+            "|dz/dx| for k = 12, s = 10, d = 24 on a triangle with the height of the window and \
+             twice-area 1, written as 2^56 minus a number",
             format!("{}", 1_i64 << 32),
             || {
                 let height = 1 << 22;
@@ -31,29 +31,31 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "plane.longest-walk",
-            "lecture A's depth walk over 4096 x 4096: 8190 steps and a start, each rounded to \
-             nearest; fewest F with a bound below half an ULP, the bound there, and at F - 1",
+            "lecture A's depth walk over 4096 x 4096, 8190 steps and a start, each rounded to \
+             nearest: fewest interpolation bits F whose error bound is below half an ULP, the bound \
+             for this F, and the bound for F - 1",
             "F = 13: 8191/16384 < 1/2, 8191/8192 not",
             longest_walk,
         ),
         Statement::exact(
             "plane.budget-39",
-            "2 guard + 24 integer + 13 interpolation bits, lecture A's depth budget",
+            "lecture A's depth budget: 2 guard + 24 integer + 13 interpolation bits",
             "39",
             || Budget::DEPTH_39.width(),
         ),
         Statement::exact(
             "plane.fraction",
-            "(2W - 1) roundings stay below a bound for every window W = 2 to 2^16: nearest below \
-             1/2 at F = k+1, floor below 1 at k+1 and below 1/2 at k+2; windows where one fails, \
-             and where the same holds with one bit less",
+            "the error of (2W - 1) roundings stays below a bound for every window W = 2 to 2^16: to \
+             nearest, below 1/2 with F = k+1; floor, below 1 with F = k+1 and below 1/2 with F = \
+             k+2; number of windows where a bound fails, and number of windows where the same \
+             bounds hold with one bit fewer",
             "0, 0",
             fraction_bounds,
         ),
         Statement::exact(
             "plane.fraction-toy",
-            "worst error over every triangle, depth and centre of (k,s,d) = (1,1,2) is below: \
-             nearest F = 2 1/2, floor F = 2 1, floor F = 3 1/2",
+            "the worst error over every triangle, depth and centre for (k,s,d) = (1,1,2) is below: \
+             1/2 to nearest with F = 2; 1 with floor, F = 2; 1/2 with floor, F = 3",
             "below, below, below",
             || {
                 [

@@ -29,8 +29,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "larrabee.edge",
-            "edge (12,8) to (4,24) is 2x + y - 32 = -E/8: coefficients, and its value at (12,16) \
-             and (8,16)",
+            "edge (12,8) to (4,24) is 2x + y - 32 = -E/8: its coefficients, and its value at \
+             (12,16) and (8,16)",
             "2 1 -32; 8, 0",
             || {
                 let edge = EdgeCoefficients::between([12, 8], [4, 24]);
@@ -40,8 +40,8 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "vulkan.perspective",
-            "ends with w = 1 and 3, attribute 0 and 1: perspective-correct value at the screen \
-             midpoint",
+            "line ends with w = 1 and 3, attribute 0 and 1: perspective-correct value at the \
+             midpoint on the screen",
             "1/4",
             || {
                 let interpolated = || {

@@ -28,8 +28,8 @@ pub(super) fn statements() -> Vec<Statement> {
     };
     let mut list = vec![Statement::exact(
         "reciprocal.witness",
-        "triangle of twice-area 2^44 - 2^20, depths 0 and 2^24 - 1, one 24-bit reciprocal: error \
-         in ULP at the far vertex, (1 - 2^-24)(1 - 2^-23), just under 1",
+        "triangle of twice-area 2^44 - 2^20, depths 0 and 2^24 - 1, one 24-bit reciprocal: error in \
+         ULP at the far vertex, (1 - 2^-24)(1 - 2^-23), which is slightly below 1",
         "140737463189505/140737488355328",
         witness,
     )];

@@ -10,16 +10,17 @@ pub(super) fn statements() -> Vec<Statement> {
     vec![
         Statement::exact(
             "wrap.path",
-            "accumulators that differ from direct evaluation along a path: every start, dx and dy \
-             of 4 bits, every path of up to 5 steps left, right, up, down",
+            "number of accumulators that differ from direct evaluation after a path: every start, \
+             dx and dy of 4 bits, and every path of up to 5 steps left, right, up, down",
             "0",
             paths,
         )
         .slow(),
         Statement::exact(
             "wrap.saturating",
-            "4-bit saturating accumulator, one step and back: pairs of start and slope -7 to 7 \
-             that do not return; a slope of +-m loses m starts, so 2 (1 + ... + 7)",
+            "4-bit saturating accumulator, one step and one step back: number of pairs of start and \
+             slope from -7 to 7 that do not return to the start; a slope of +-m loses m starts, so \
+             the number is 2 (1 + ... + 7)",
             "56",
             || {
                 lost(|start, slope| {
@@ -31,14 +32,15 @@ pub(super) fn statements() -> Vec<Statement> {
         Statement::exact(
             "wrap.clamped",
             "accumulator clamped to [0, 2^2) at every step, 1 guard + 2 integer bits, start 3, \
-             slope +1: read after one step out and one back, sticky / on read-out only",
+             slope +1: value after one step out and one step back, with a sticky clamp / with a \
+             clamp on read-out only",
             "2 / 3",
             || [Clamp::Saturate, Clamp::Guard].map(out_and_back).join(" / "),
         ),
         Statement::exact(
             "wrap.floating",
-            "binary32 accumulator, start 2^24, one step of +1 and one of -1, minus 2^24: floating \
-             / 32-bit word",
+            "binary32 accumulator, start 2^24, one step of +1 and one step of -1: result minus \
+             2^24, in floating point / in a 32-bit word",
             "-1 / 0",
             || {
                 let start = 16_777_216_f32;
@@ -50,7 +52,7 @@ pub(super) fn statements() -> Vec<Statement> {
         ),
         Statement::exact(
             "wrap.floating-order",
-            "the same accumulator from 2^24 by +1 and +2 in both orders, minus 2^24",
+            "binary32 accumulator, start 2^24, steps +1 and +2 in both orders: result minus 2^24",
             "2 / 4",
             || {
                 let start = 16_777_216_f32;

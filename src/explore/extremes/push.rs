@@ -120,7 +120,7 @@ fn walked_edges(fraction: u32, grid: &Grid) -> Push {
     let third = (x1 - x0) / 3;
     Push {
         name: "walk to its longest",
-        pushed: "edges over the whole height, of slopes that no fraction holds".to_owned(),
+        pushed: "edges over the whole height, with slopes that no number of fraction bits represents exactly".to_owned(),
         field: Field::WALK_FRACTION,
         values: down(fraction),
         tolerance: at_most("misclassified", 0.0),
@@ -139,7 +139,9 @@ fn ties(fraction: u32, grid: &Grid) -> Push {
     let [top, bottom] = [[x0, y0 + p / 2], [x0 + p, y0 + 6 * p + p / 2]];
     Push {
         name: "samples on an edge",
-        pushed: "an edge by 1 pixel over 6 rows, through the sample of the fourth".to_owned(),
+        pushed:
+            "an edge that moves 1 pixel over 6 rows and goes through the sample of the fourth row"
+                .to_owned(),
         field: Field::WALK_FRACTION,
         values: down(fraction),
         tolerance: at_most("misclassified", 0.0),
@@ -157,7 +159,8 @@ fn walked_area(profile: &Profile, grid: &Grid) -> Option<Push> {
     let [x, y] = grid.last;
     Some(Push {
         name: "area to 1, coverage",
-        pushed: "twice the area 1 in sub-pixels squared, on the last sample".to_owned(),
+        pushed: "a triangle at the last sample, whose doubled area is 1 square sub-pixel"
+            .to_owned(),
         field: Field::EDGE_WIDTH,
         values: down(profile.exact_edge_width().unwrap_or(2)),
         tolerance: at_most("misclassified", 0.0),
@@ -196,8 +199,8 @@ fn steepest(depth: &DepthConfig, grid: &Grid) -> Push {
     Push {
         name: "slopes to their largest",
         pushed: format!(
-            "the range of {top} over one sub-pixel, {} ULP a pixel, and over three pixels; one clamp \
-             mode after the other",
+            "the depth range of {top} over one sub-pixel, {} ULP per pixel, and over three pixels; each \
+             clamp mode in turn",
             top * p
         ),
         field: Field::CLAMP,
@@ -216,7 +219,8 @@ fn smallest_area(depth: &DepthConfig, grid: &Grid) -> Push {
     let ([x, y], top) = (grid.last, grid.top);
     Push {
         name: "area to 1, depth",
-        pushed: "twice the area 1 and 3 in sub-pixels squared, on the last sample".to_owned(),
+        pushed: "triangles at the last sample, whose doubled area is 1 and 3 square sub-pixels"
+            .to_owned(),
         field: Field::INTERPOLATION,
         values: down(depth.interpolation),
         tolerance: at_most("depth-worst", 0.5),
@@ -262,7 +266,8 @@ fn division(grid: &Grid) -> Push {
     let words = std::iter::once(Value::Name("quotient"));
     Push {
         name: "division to its fewest bits",
-        pushed: "one plane over the window, whole range and parts of it".to_owned(),
+        pushed: "one plane over the window, with the whole depth range and with parts of it"
+            .to_owned(),
         field: Field::RECIPROCAL,
         values: words.chain((2..=40).rev().map(Value::Bits)).collect(),
         tolerance: at_most("depth-worst", 1.0),
@@ -294,7 +299,7 @@ fn toward_zero(depth: &DepthConfig, grid: &Grid) -> Push {
     Push {
         name: "w toward zero",
         pushed: format!(
-            "far plane over near plane {far}, surfaces at far and {apart} of it nearer"
+            "far / near = {far}, with surfaces at the far plane and nearer by {apart} of its distance"
         ),
         field: Field::INTEGER,
         values: (1..=depth.integer).rev().map(Value::Bits).collect(),

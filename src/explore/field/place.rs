@@ -19,7 +19,7 @@ impl Field {
         }
     }
 
-    /// Sets the field. Whether the parts of the profile still go together is for
+    /// Sets the field. Validating the changed profile is for
     /// [`Profile::validate`] to say.
     ///
     /// # Errors

@@ -29,7 +29,7 @@ pub(super) fn lesser(
         let field = axis.field;
         let Some(Value::Bits(bits)) = field.read(profile) else { continue };
         let Some(less) = bits.checked_sub(1) else {
-            found.push(Lesser::Impossible(field, "there is no bit to take away".to_owned()));
+            found.push(Lesser::Impossible(field, "already 0 bits".to_owned()));
             continue;
         };
         let changed = match sweep.space.with(profile, field, &Value::Bits(less)) {

@@ -37,7 +37,7 @@ pub enum QuestionError {
     /// The vertex field would outgrow its 32 bits.
     #[error(
         "{field} = {value}: integer + sub-pixel = {integer} + {sub_pixel} = {} > 32 bits of a \
-         vertex field; the most here is {nearest}", u64::from(*integer) + u64::from(*sub_pixel)
+         vertex field; the largest possible value is {nearest}", u64::from(*integer) + u64::from(*sub_pixel)
     )]
     Field {
         /// The override at fault.
@@ -52,7 +52,7 @@ pub enum QuestionError {
         nearest: u64,
     },
     /// The depth word cannot have so many bits.
-    #[error("depth-bits = {value}: {source}; the nearest possible is {nearest}")]
+    #[error("depth-bits = {value}: {source}; the nearest possible value is {nearest}")]
     Depth {
         /// What was asked for.
         value: u32,
@@ -75,7 +75,7 @@ pub enum QuestionError {
         /// One past the last.
         high: i64,
     },
-    /// The profile does not go together.
+    /// The profile fails validation.
     #[error(transparent)]
     Profile(#[from] InvalidProfile),
 }

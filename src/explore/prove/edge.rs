@@ -54,11 +54,16 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
     let witness = misread(question, storage, bits);
     let what = if shift == 0 { "E + bias".to_owned() } else { format!("(E + bias) >> {shift}") };
     let enough = match given {
-        Some(given) if given == bits => format!("; the profile's {given} are exactly enough"),
+        Some(given) if given == bits => {
+            format!("; the {given} bits of the profile are exactly enough")
+        }
         _ => String::new(),
     };
-    let fewer =
-        if witness.is_some() { format!(", {} misread one", bits - 1) } else { String::new() };
+    let fewer = if witness.is_some() {
+        format!(", but with {} bits one sample is wrong", bits - 1)
+    } else {
+        String::new()
+    };
     let budget = budget(question, bits, storage);
     let beyond = pixels(first_wider(question, bits, needed), s);
     Proof {
@@ -69,9 +74,9 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
         row: None,
         place: question.place(),
         statement: format!(
-            "{} hold {what} for every edge of the vertex box at every sample of the window, so an \
-             exact edge function misclassifies no sample{fewer}{enough}.{budget} Vertices \
-             {beyond} pixels further out on each side take more.",
+            "{} are enough for {what}, for every edge of the vertex box and every sample of the window, so \
+             an exact edge function misclassifies no sample{fewer}{enough}.{budget} If vertices may be \
+             {beyond} pixels further out on each side, more bits are needed.",
             count(bits)
         ),
         bits: Some(bits),
@@ -105,7 +110,7 @@ fn budget(question: &Question, bits: u32, storage: EdgeStorage) -> String {
         return String::new();
     }
     format!(
-        " {bits} = 1 guard + {k} integer + {s} sub-pixel + {k} interpolation bits, a budget for \
+        " {bits} = 1 guard + {k} integer + {s} sub-pixel + {k} interpolation bits is the budget of \
          an exact edge function without a guard band."
     )
 }

@@ -23,7 +23,7 @@ pub(super) fn coefficient(question: &Question) -> Proof {
         row: None,
         place: question.place(),
         statement: format!(
-            "{} hold A and B, differences of two vertex coordinates, of every edge.",
+            "{} are enough for A and B of every edge; A and B are differences of two vertex coordinates.",
             count(bits)
         ),
         bits: Some(bits),
@@ -82,8 +82,8 @@ pub(super) fn constant(question: &Question) -> Proof {
         row: None,
         place: question.place(),
         statement: format!(
-            "{} hold C, E at the window's top left corner without a bias, of every edge; taken \
-             from the window's centre it is {from_centre}.",
+            "{} are enough for C of every edge; C is the value of E at the top left corner of the window, \
+             without a bias. If C is taken at the centre of the window, {from_centre} are enough.",
             count(bits)
         ),
         bits: Some(bits),

@@ -77,8 +77,8 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
         statement: match bits {
             Some(bits) => format!(
                 "{bits} guard bit{} the accumulator of every sample that is covered at its own \
-                 place within the range that the read-out tells apart. Values taken outside their \
-                 triangle are another matter: no number of guard bits bounds those.",
+                 position within the range that the read-out can decode. This does not hold for values \
+                 taken outside their triangle: for them, no number of guard bits is enough.",
                 if bits == 1 { " keeps" } else { "s keep" }
             ),
             None => format!(

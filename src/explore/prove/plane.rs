@@ -127,8 +127,8 @@ fn proof(question: &Question, depth: &DepthConfig, goal: Goal) -> Proof {
                     growth.text(bits - 1, goal)
                 )
             }
-            None if sticky => "a sticky accumulator's error depends on its path".to_owned(),
-            None => format!("{} >= {} whatever F is", growth.division, goal.ulp()),
+            None if sticky => "the error of a sticky accumulator depends on its path".to_owned(),
+            None => format!("{} >= {} for every F", growth.division, goal.ulp()),
         },
         clause: if growth.division.is_zero() { "B-5" } else { "B-6" },
         witness,
@@ -168,24 +168,24 @@ fn statement(
         goal.name()
     );
     if tight {
-        let _ = write!(text, "; {} do not", bits - 1);
+        let _ = write!(text, "; {} bits are not enough", bits - 1);
     }
     if !growth.division.is_zero() {
-        text += "; start and slopes share one reciprocal, whose own error is counted in";
+        text += "; start and slopes share one reciprocal, and its error is included";
     }
     let DepthConfig { guard, integer, interpolation, .. } = *depth;
     if interpolation == bits {
         let needed = guard::fewest(question, depth).map_or(String::new(), |needed| {
             let verb = if needed == 1 { "is" } else { "are" };
             format!(
-                "; of its {guard} guard bits {needed} {verb} needed for samples covered at their \
-                 own place"
+                "; {needed} of its {guard} guard bits {verb} needed for samples that are covered at their \
+                 own position"
             )
         });
         let _ = write!(
             text,
-            ". The profile's {guard} guard + {integer} integer + {bits} interpolation = {} bits \
-             are exactly this budget{needed}",
+            ". The profile has exactly this budget: {guard} guard + {integer} integer + {bits} interpolation \
+             = {} bits{needed}",
             guard + integer + bits
         );
     }

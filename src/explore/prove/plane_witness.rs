@@ -174,7 +174,7 @@ impl Search<'_> {
             sample: Some(sample),
             expected: format!("depth {} = {} ULP", mixed(&truth), decimal(&truth)),
             got: format!(
-                "{} ULP held, off by {} ULP; with {} it is off by {}",
+                "{} ULP, an error of {} ULP; with {} bits the error is {} ULP",
                 decimal(&(&truth + &few)),
                 decimal(&few),
                 self.fraction + 1,

@@ -49,9 +49,9 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
         row: None,
         place: question.place(),
         statement: format!(
-            "{} hold every depth slope in units of 2^-{fraction} ULP, {codes} without its \
-             fraction: the divider is that wide. The adder is not: it keeps {width} of them, and \
-             what it drops comes back out mod 2^{width}.",
+            "{} are enough for every depth slope in units of 2^-{fraction} ULP ({codes} without the \
+             fraction); the divider needs this width. The adder needs only {width} bits, because its sum \
+             is correct mod 2^{width}.",
             count(bits)
         ),
         bits: Some(bits),

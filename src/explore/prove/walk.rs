@@ -62,14 +62,15 @@ fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option
     let (s, nearest) = (question.sub_pixel(), walk.rounding.is_nearest());
     let bits = (0..=120).find(|fraction| length.holds(*fraction, s, nearest))?;
     let found = bits.checked_sub(1).and_then(|fewer| strays(question, walk, fewer));
-    let fewer = if found.is_some() { format!("; {} do not", bits - 1) } else { String::new() };
+    let fewer =
+        if found.is_some() { format!("; {} bits are not enough", bits - 1) } else { String::new() };
     let (witness, residues) = found.unzip();
     let bound = length.bound(bits, nearest);
     let strict = match (nearest, bound == dyadic(1, s + 1)) {
         (true, true) => {
             format!(", and no slope is half way between words: {} < 2^{}", length.span, bits + 1)
         }
-        (false, true) => ", and no rounding errs by its whole unit".to_owned(),
+        (false, true) => ", and the error of no rounding is a whole unit".to_owned(),
         _ => String::new(),
     };
     Some(Proof {
@@ -77,8 +78,8 @@ fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option
         row: None,
         place: question.place(),
         statement: format!(
-            "{} of fraction keep the x of every edge, a start and up to {} steps each rounded {}, \
-             within half a sub-pixel of the exact one{fewer}. That is not exact coverage.",
+            "{} of fraction keep the x of every edge (a start and up to {} steps, each rounded {}) \
+             within half a sub-pixel of the exact x{fewer}. This does not make the coverage exact.",
             count(bits),
             length.rows - 1,
             walk.rounding

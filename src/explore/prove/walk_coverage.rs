@@ -28,19 +28,19 @@ pub(super) fn proof(question: &Question, walk: EdgeWalkConfig, length: Length) -
         place: question.place(),
         statement: match bits {
             Some(bits) => format!(
-                "{} of fraction make the coverage of an edge walk rounded by floor exact, as long \
-                 as x stays in its word.",
+                "{} of fraction make the coverage of an edge walk with rounding floor exact, if x \
+                 stays in the range of its word.",
                 count(bits)
             ),
             None if witness.is_none() => format!(
-                "The coverage of an edge walk rounded {} is not known to be exact with any number \
-                 of fraction bits.",
+                "For an edge walk with rounding {}, no number of fraction bits is known that makes the \
+                 coverage exact.",
                 walk.rounding
             ),
             None => format!(
-                "No number of fraction bits makes the coverage of an edge walk exact when its \
-                 slopes are rounded {}: where an edge meets a sample, a slope that was rounded up \
-                 has passed it.",
+                "No number of fraction bits makes the coverage of an edge walk exact if its \
+                 slopes are rounded {}: where an edge goes through a sample, the walk with a slope that \
+                 was rounded up is beyond the sample.",
                 walk.rounding
             ),
         },

@@ -106,8 +106,8 @@ impl Rasterizer for RegisterConfig {
             [("depth", state.depth.is_some()), ("multisample", state.multisample.is_some())];
         if let Some((table, _)) = beside.into_iter().find(|(_, is_there)| *is_there) {
             let message = format!(
-                "[{table}] beside [form.registers]: registers hold their own values, and a record is all \
-                 that is drawn; take the table out"
+                "[{table}] has no effect with [form.registers], where the registers give all values and the \
+                 output is records; remove the table"
             );
             return Err(FormError { field: vec![table], message });
         }

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RegisterError {
     /// Words in another radix.
-    #[error("radix = {0}: words are given in radix 10 or 16")]
+    #[error("radix = {0}: the radix of words is 10 or 16")]
     Radix(u32),
     /// The list of registers.
     #[error("input: {0}")]
@@ -24,8 +24,8 @@ pub enum RegisterError {
     },
     /// A register that the engine does not have.
     #[error(
-        "input: the engine {engine} has no register {name:?}; it looks at {known}, and a name that \
-         begins with - is looked at by nobody"
+        "input: the engine {engine} has no register {name:?}; its registers are {known}; begin the name \
+         with - if the engine does not use the register"
     )]
     Unknown {
         /// The engine.
@@ -36,7 +36,9 @@ pub enum RegisterError {
         known: String,
     },
     /// Another number of kinds of records.
-    #[error("records: the engine {engine} writes {need} kinds of records, not {got}")]
+    #[error(
+        "records: the profile lists {got} kinds of records, but the engine {engine} writes {need}"
+    )]
     Records {
         /// The engine.
         engine: &'static str,
@@ -54,7 +56,7 @@ pub enum RegisterError {
         source: LayoutError,
     },
     /// A value that the engine does not make.
-    #[error("record {letter}: there is no {name:?}; this record has {known}")]
+    #[error("record {letter}: there is no value {name:?}; the values of this record are {known}")]
     Value {
         /// The record's letter.
         letter: char,

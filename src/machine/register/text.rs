@@ -6,7 +6,7 @@ use super::Registers;
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WordsError {
     /// Another number of words.
-    #[error("{got} words are given, and this profile has {need}: {names}")]
+    #[error("{got} words are given, but this profile needs {need}: {names}")]
     Count {
         /// Words of the profile.
         need: usize,
@@ -16,7 +16,7 @@ pub enum WordsError {
         names: String,
     },
     /// A word in another radix, or beyond 32 bits.
-    #[error("words[{index}] = {text:?} ({name}) is no word: {need}")]
+    #[error("words[{index}] = {text:?} ({name}) is not a word: {need}")]
     Word {
         /// Which, from 0.
         index: usize,
@@ -47,7 +47,7 @@ impl Registers {
                 text: text.chars().take(40).collect(),
                 name: self.input.word_names().swap_remove(index),
                 need: match self.radix {
-                    10 => "a decimal of 32 bits, -2147483648 to 4294967295, is needed",
+                    10 => "a decimal number from -2147483648 to 4294967295 is needed",
                     _ => "1 to 8 hexadecimal digits without a prefix are needed",
                 },
             })

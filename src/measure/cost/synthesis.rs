@@ -60,8 +60,8 @@ pub enum SynthesisError {
     Profile(#[from] InvalidProfile),
     /// No such program.
     #[error(
-        "{program} is not on this machine: install yosys (apt-get install yosys, \
-         brew install yosys, or https://yosyshq.net) or name the program"
+        "{program} is not installed: install yosys (apt-get install yosys, \
+         brew install yosys, or https://yosyshq.net) or give the path of the program"
     )]
     Missing {
         /// The program asked for.
@@ -76,7 +76,7 @@ pub enum SynthesisError {
         source: std::io::Error,
     },
     /// The tool ran longer than allowed and was ended.
-    #[error("yosys on the {unit} unit ran longer than {} s and was ended", .limit.as_secs_f64())]
+    #[error("yosys on the {unit} unit ran longer than {} s and was stopped", .limit.as_secs_f64())]
     Late {
         /// The unit.
         unit: &'static str,
@@ -84,7 +84,7 @@ pub enum SynthesisError {
         limit: Duration,
     },
     /// The tool gave up.
-    #[error("yosys on the {unit} unit ended with {status}: {last}")]
+    #[error("yosys on the {unit} unit failed with {status}: {last}")]
     Failed {
         /// The unit.
         unit: &'static str,
@@ -94,7 +94,9 @@ pub enum SynthesisError {
         last: String,
     },
     /// The tool's report lacks a figure.
-    #[error("yosys wrote no {figure} for the {unit} unit: its report has another form than 0.23's")]
+    #[error(
+        "yosys wrote no {figure} for the {unit} unit: its report differs from the report of yosys 0.23"
+    )]
     Report {
         /// The unit.
         unit: &'static str,

@@ -19,7 +19,7 @@ pub(super) fn require(stage: &Stage, profile: &Profile, found: &mut Requirements
             let slope = real(exact.slope[axis]) * real(1 << stage.grid.sub_pixel);
             Some((slope / real(exact.whole), face))
         });
-        found.ranges.extend(Extremes::of(slopes).range(name, "ULP a pixel", |v| v, triangle));
+        found.ranges.extend(Extremes::of(slopes).range(name, "ULP per pixel", |v| v, triangle));
     }
     let walks = stage.faces.iter().flat_map(|face| {
         let runs = stage.runs[face.runs.clone()].iter();
@@ -39,7 +39,7 @@ pub(super) fn require(stage: &Stage, profile: &Profile, found: &mut Requirements
     if let Some((steps, place)) = walks.high {
         let needs = fraction_bits(steps, config.rounding);
         let evidence = format!(
-            "{} roundings ({}) of a walk to {} stay below half an ULP",
+            "the error of {} roundings ({}) in a walk to {} stays below half an ULP",
             steps + 1,
             config.rounding,
             sample(place)

@@ -21,7 +21,7 @@ pub(super) fn require(stage: &Stage, profile: &Profile, found: &mut Requirements
     let areas = stage.faces.iter().map(|face| (face.triangle.area2(), face));
     let mut areas = Extremes::of(areas).range("twice area", "sub-pixels squared", real, triangle);
     if let (Some(areas), lost @ 1..) = (&mut areas, stage.snap.vanished) {
-        let others = format!("; {lost} more lost their area on this grid");
+        let others = format!("; {lost} more triangles have no area on this grid");
         areas.evidence += &others;
     }
     found.ranges.extend(areas);
@@ -90,12 +90,12 @@ fn sub_pixels(stage: &Stage) -> Evaluator {
         Some(face) => Evaluator {
             name,
             needed: true,
-            evidence: format!("{} has a vertex off the pixel grid", triangle(face)),
+            evidence: format!("{} has a vertex that is not on the pixel grid", triangle(face)),
         },
         None => Evaluator {
             name,
             needed: false,
-            evidence: "every vertex lies on a corner of pixels".to_owned(),
+            evidence: "every vertex lies on the corner of a pixel".to_owned(),
         },
     }
 }
@@ -115,12 +115,12 @@ fn scissor(stage: &Stage) -> Evaluator {
         Some(face) => Evaluator {
             name,
             needed: true,
-            evidence: format!("{} reaches beyond the window", triangle(face)),
+            evidence: format!("{} extends beyond the window", triangle(face)),
         },
         None => Evaluator {
             name,
             needed: false,
-            evidence: "no triangle reaches a sample beyond the window".to_owned(),
+            evidence: "no triangle covers a sample outside the window".to_owned(),
         },
     }
 }

@@ -174,8 +174,8 @@ pub(super) fn finding(rows: &[FillRow]) -> String {
     let ns = |row: Option<&FillRow>| row.map_or(f64::NAN, |row| row.ns_per_pixel);
     let rate = |row: Option<&FillRow>| row.map_or(f64::NAN, |row| row.millions_per_second);
     format!(
-        "a large triangle's coverage {:.3} ns a pixel, with depth {:.3}; of {:.0} pixels {:.1} and \
-         {:.1} million triangles a second",
+        "large triangles take {:.3} ns per pixel for coverage and {:.3} ns with depth; for triangles of {:.0} pixels, the rates are \
+         {:.1} and {:.1} million triangles per second",
         ns(mask),
         ns(values),
         small.map_or(f64::NAN, |row| row.pixels),

@@ -145,10 +145,11 @@ pub(super) fn finding(rows: &[FormRow]) -> String {
                 && row.ns_per_triangle > 2.0 * one.ns_per_triangle
         })
     });
-    let half = half.map_or("no size here".to_owned(), |row| format!("{} pixels", row.pixels));
+    let half =
+        half.map_or("none of these sizes".to_owned(), |row| format!("{} pixels", row.pixels));
     format!(
-        "a one-pixel triangle takes {:.0} ns, twice that at {half}; edge walk {:.2} of edge function \
-         at 1 pixel, {:.2} at {last}; the event log {:.2} and {:.2}",
+        "a one-pixel triangle takes {:.0} ns; the time is more than twice as long from {half} on; the edge walk takes {:.2} of the \
+         time of the edge function at 1 pixel, {:.2} at {last} pixels; with the event log {:.2} and {:.2}",
         base.map_or(f64::NAN, |row| row.ns_per_triangle),
         ratio("edge-walk", false, 1),
         ratio("edge-walk", false, last),

@@ -133,8 +133,8 @@ pub(super) fn finding(rows: &[LaneRow]) -> String {
         .fold(0.0, f64::max);
     let [narrow, middle, wide] = [narrow, middle, wide].map(median);
     format!(
-        "a sample costs {:.1} times as much in i64 as in i32, {:.1} times in i128 as in i64; \
-         widths within i32 or i64 differ by at most {:.0} %",
+        "a sample takes {:.1} times as long in i64 as in i32, and {:.1} times as long in i128 as in i64; \
+         the times of widths within one lane (i32 or i64) differ by at most {:.0} %",
         middle / narrow,
         wide / middle,
         spread * 100.0

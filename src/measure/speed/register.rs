@@ -113,7 +113,7 @@ pub(super) fn finding(rows: &[RegisterRow]) -> String {
         rows.iter().min_by(|a, b| a.thousands_per_second.total_cmp(&b.thousands_per_second));
     slowest.map_or_else(String::new, |row| {
         format!(
-            "{} is the slowest: {:.0} thousand triangles of {:.0} records a second on one thread",
+            "{} is the slowest: {:.0} thousand triangles per second on one thread, with {:.0} records per triangle",
             row.profile, row.thousands_per_second, row.records
         )
     })

@@ -161,14 +161,14 @@ fn error<L: Lane>(read: ReadOut, decode: Decode<L>) -> Error {
 pub(super) fn finding(rows: &[TradeRow]) -> String {
     let enough = rows.iter().find(|row| row.bound_ulp < 0.5).map_or(String::new(), |row| {
         format!(
-            "{} interpolation bits of the ladder are the first with a bound below half an ULP \
-             (worst seen {:.3}, rms {:.3})",
+            "{} interpolation bits are the fewest of the measured budgets with a bound below half an ULP \
+             (worst measured error {:.3}, rms {:.3})",
             row.interpolation, row.worst_ulp, row.rms_ulp
         )
     });
     let changes = rows.windows(2).filter(|pair| pair[0].lane != pair[1].lane).map(|pair| {
         format!(
-            "; {} becomes {} at {} bits and costs {:.1} times",
+            "; the lane changes from {} to {} at {} bits, and the time grows by a factor of {:.1}",
             pair[0].lane,
             pair[1].lane,
             pair[1].width,

@@ -36,7 +36,7 @@ pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
         }
         canonical(&path, &text, &manifest.to_text(), &mut findings);
         if digest.is_some_and(|digest| digest != manifest.digest) {
-            let message = format!("is not the manifest that {INDEX} names: the digests differ");
+            let message = format!("its digest differs from the digest in {INDEX}");
             findings.push(Finding { file: path.clone(), line: None, message });
         }
         let bad = |message: String| CheckError::Malformed {
@@ -46,7 +46,7 @@ pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
         };
         manifest.profile.validate().map_err(|error| bad(format!("profile: {error}")))?;
         if manifest.shard.index >= manifest.shard.parts {
-            return Err(bad("shard: 0 <= index < parts is violated".to_owned()));
+            return Err(bad("shard: 0 <= index < parts is needed".to_owned()));
         }
         if let Some(file) = manifest.files.iter().find(|file| file.name.contains(['/', '\\'])) {
             return Err(bad(format!("files: {:?} is not a plain file name", file.name)));
@@ -84,7 +84,7 @@ fn strangers(dir: &Path, index: &SetIndex, findings: &mut Vec<Finding>) -> Resul
     names.sort();
     for name in names {
         if !index.sets.iter().any(|set| set.folder == name) {
-            let message = format!("a set that {INDEX} does not name");
+            let message = format!("{INDEX} does not list this set");
             findings.push(Finding { file: dir.join(name), line: None, message });
         }
     }
@@ -128,8 +128,8 @@ pub(super) fn first_difference(path: &Path, found: &[u8], expected: &[u8]) -> Fi
         match (theirs.next(), ours.next()) {
             (Some(a), Some(b)) if a == b => line += 1,
             (Some(a), Some(b)) => break format!("is {} where {} belongs", shown(a), shown(b)),
-            (Some(a), None) => break format!("{} is too much", shown(a)),
-            (None, Some(b)) => break format!("ends where {} belongs", shown(b)),
+            (Some(a), None) => break format!("extra row {}", shown(a)),
+            (None, Some(b)) => break format!("the file ends, but {} is expected", shown(b)),
             (None, None) => break "differs".to_owned(),
         }
     };

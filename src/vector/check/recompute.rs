@@ -64,7 +64,9 @@ pub fn format(set: &OpenSet) -> Result<(RowFormat, bool), CheckError> {
         CheckError::Malformed {
             path: set.folder.join(manifest::NAME).display().to_string(),
             line: 1,
-            message: format!("format: {found:?} is none of {known}, plain or with .zst"),
+            message: format!(
+                "format: {found:?} is unknown; the formats are {known}, each also with .zst"
+            ),
         }
     })
 }
@@ -84,9 +86,9 @@ pub(super) fn recompute(
         let line = lines_until_odd(&scene_path, &set.manifest);
         for name in suspects {
             let (line, message) = if *name == "scene.jsonl" {
-                (line, "is not the scene that the manifest's digest names".to_owned())
+                (line, "the scene does not have the digest in the manifest".to_owned())
             } else {
-                (None, "is not the file that the manifest's digest names".to_owned())
+                (None, "the file does not have the digest in the manifest".to_owned())
             };
             findings.push(Finding { file: set.folder.join(name), line, message });
         }
@@ -151,7 +153,8 @@ pub(super) fn recompute(
     for name in suspects {
         let path = set.folder.join(name);
         if !findings.iter().any(|finding| finding.file == path) {
-            let message = "the manifest lists another digest, length or row count".to_owned();
+            let message =
+                "the digest, the length or the number of rows differs from the manifest".to_owned();
             findings.push(Finding { file: path, line: None, message });
         }
     }
@@ -216,7 +219,7 @@ impl Compared {
             return Ok(());
         }
         let Some(file) = &mut self.file else {
-            let message = "is missing".to_owned();
+            let message = "the file is missing".to_owned();
             self.finding = Some(Finding { file: self.path.clone(), line: None, message });
             return Ok(());
         };
@@ -240,7 +243,7 @@ impl Compared {
             let mut more = Vec::new();
             file.by_ref().take(256).read_to_end(&mut more)?;
             if let Some(line) = more.split_inclusive(|byte| *byte == b'\n').next() {
-                let message = format!("{} is too much: the file should end here", shown(line));
+                let message = format!("extra row {}: the file must end here", shown(line));
                 self.finding = Some(Finding { file: self.path, line: Some(self.line), message });
             }
         }

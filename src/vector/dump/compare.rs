@@ -86,7 +86,8 @@ fn ordered(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport)
                         row: None,
                         line: None,
                         test: test_id(bench, at),
-                        text: "the dump ends here: a simulation that stopped early?".to_owned(),
+                        text: "the dump ends here; check if the simulation stopped early"
+                            .to_owned(),
                     });
                 }
                 report.short = true;
@@ -111,7 +112,7 @@ fn ordered(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport)
             row: None,
             line: Some(dump.line(row)),
             test: "-".to_owned(),
-            text: "a row too much: the set has ended".to_owned(),
+            text: "extra row: the set has no more rows".to_owned(),
         });
     }
 }
@@ -174,7 +175,7 @@ fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
         let known = u64::try_from(test).ok().and_then(|number| subject.test(number));
         let text = match known {
             Some(at) => extra_text(subject, at, dump.row(row)),
-            None => format!("test {test:x} is no test of the set"),
+            None => format!("the set has no test {test:x}"),
         };
         let line = Some(dump.line(row));
         keep(report, most, || Mismatch { row: None, line, test: "-".to_owned(), text });
@@ -190,7 +191,7 @@ fn beginning_too_much(report: &mut DumpReport, most: usize) {
             row: None,
             line,
             test: "-".to_owned(),
-            text: "the beginning of a row too much: the set has ended".to_owned(),
+            text: "start of an extra row: the set has no more rows".to_owned(),
         });
     }
 }
@@ -207,5 +208,5 @@ fn missing_text(subject: &Subject, at: TestAt, row: &[u8]) -> String {
 }
 
 fn extra_text(subject: &Subject, at: TestAt, row: &[u8]) -> String {
-    format!("too much: {}\n  {}", place(subject, row), subject.bench.describe(at))
+    format!("extra row: {}\n  {}", place(subject, row), subject.bench.describe(at))
 }

@@ -24,7 +24,7 @@ pub enum DumpError {
         message: String,
     },
     /// No row at all.
-    #[error("{path}: no rows: an empty dump, or a simulation that crashed before its first row")]
+    #[error("{path}: the dump has no rows; check if the simulation stopped before its first row")]
     Empty {
         /// The dump.
         path: String,
@@ -91,9 +91,12 @@ impl Dump {
                 message,
             };
             if read as u64 == LONGEST {
-                return Err(fault(format!("longer than {LONGEST} bytes: no dump of this file")));
+                return Err(fault(format!(
+                    "the line is longer than {LONGEST} bytes, so this is not a dump of this exp file"
+                )));
             }
-            let text = std::str::from_utf8(&buffer).map_err(|_| fault("not text".to_owned()))?;
+            let text = std::str::from_utf8(&buffer)
+                .map_err(|_| fault("the line is not UTF-8 text".to_owned()))?;
             let text = text.split_once("//").map_or(text, |(row, _)| row).trim();
             if text.is_empty() {
                 continue;
@@ -174,7 +177,7 @@ impl Dump {
         for column in columns {
             let field = fields.next().ok_or_else(|| {
                 let found = text.split('_').count();
-                format!("{found} columns where {} belong: {text:?}", columns.len())
+                format!("the row has {found} columns, but {} are needed: {text:?}", columns.len())
             })?;
             let (word, unknown) = hexadecimal(field, &column.name, column.digits())?;
             let mask = u128::MAX >> (128 - column.width);
@@ -190,7 +193,7 @@ impl Dump {
             let digits: usize = columns.iter().map(Column::digits).sum();
             if mask.len() != digits || fields.next().is_some() {
                 return Err(format!(
-                    "more than {} columns, and the last is no don't-care mask of {digits} digits: {text:?}",
+                    "the row has more than {} columns, but the last column is not a don't-care mask of {digits} digits: {text:?}",
                     columns.len()
                 ));
             }
@@ -236,7 +239,7 @@ fn is_beginning(text: &str, columns: &[Column]) -> bool {
 fn hexadecimal(field: &str, column: &str, digits: usize) -> Result<(u128, u128), String> {
     if field.len() != digits {
         return Err(format!(
-            "column {column}: {field:?} has {} digits where {digits} belong",
+            "column {column}: {field:?} has {} digits, but {digits} are needed",
             field.len()
         ));
     }
@@ -247,7 +250,9 @@ fn hexadecimal(field: &str, column: &str, digits: usize) -> Result<(u128, u128),
             _ => match character.to_digit(16) {
                 Some(digit) => (u128::from(digit), 0),
                 None => {
-                    return Err(format!("column {column}: {character:?} is no hexadecimal digit"));
+                    return Err(format!(
+                        "column {column}: {character:?} is not a hexadecimal digit"
+                    ));
                 }
             },
         };

@@ -41,19 +41,19 @@ impl EngineSlip {
         let mut list = of(&[
             (
                 Self::LeftEndLate,
-                "spans leave out the pixel at their left end (off by one); of one pixel they come empty",
+                "spans leave out the pixel at their left end (off by one); spans of one pixel are empty",
             ),
             (Self::ColumnsLate, "columns are numbered one too high (off by one)"),
             (Self::LastRow, "the last row of the box is left out"),
             (Self::LastColumn, "the last column of the box is left out"),
-            (Self::EdgeUnseen(0), "edge 0 is not looked at"),
-            (Self::EdgeUnseen(1), "edge 1 is not looked at"),
-            (Self::EdgeUnseen(2), "edge 2 is not looked at"),
-            (Self::AnyEdge, "any edge covers: inside of one is taken for inside of all"),
-            (Self::CornerFlat, "the box's corner takes no steps down"),
-            (Self::EdgeRowAbove, "a row's edges start from the row above"),
+            (Self::EdgeUnseen(0), "edge 0 is not tested"),
+            (Self::EdgeUnseen(1), "edge 1 is not tested"),
+            (Self::EdgeUnseen(2), "edge 2 is not tested"),
+            (Self::AnyEdge, "a sample inside any one edge counts as covered"),
+            (Self::CornerFlat, "the start at the corner of the box leaves out the steps down"),
+            (Self::EdgeRowAbove, "the edge words of a row start from the row above"),
             (Self::CountLarge, "the count of samples is one too large"),
-            (Self::CountKept, "the count of samples goes on from triangle to triangle"),
+            (Self::CountKept, "the count of samples is not reset between triangles"),
         ]);
         // What a stall or an earlier triangle leaves behind cannot be told from the words.
         let told = |slip: &Slip| {
@@ -66,8 +66,8 @@ impl EngineSlip {
         list.extend(SignSlip::ALL.map(|(slip, name)| (Self::Sign(slip), name.to_owned())));
         let Some(read) = read else { return list };
         list.extend(of(&[
-            (Self::CornerSwapped, "the box's corner takes its x for its y"),
-            (Self::DepthRowAbove, "a row's depth starts from the row above"),
+            (Self::CornerSwapped, "the start at the corner of the box uses x instead of y"),
+            (Self::DepthRowAbove, "the depth of a row starts from the row above"),
             (Self::DepthStepsDown, "depth steps by dz/dy along a row"),
             (Self::DepthToTheRight, "depths are those of the sample to the right"),
         ]));

@@ -43,7 +43,7 @@ impl Suspects for SetupBench {
 
 /// A defect of the set-up that a device of whole triangles can have too.
 pub(super) const NO_SWAP: &str =
-    "triangles of negative area are not turned round: v1 and v2 keep their places";
+    "triangles of negative area are not reversed: v1 and v2 are not exchanged";
 
 /// A set-up whose words are narrower than the set's, with zeros above them.
 struct ZeroExtended {

@@ -30,15 +30,15 @@ impl SetupSlip {
         (Self::OneBitShort, "the divider stops one bit early"),
         (
             Self::StrictFit,
-            "the divider subtracts only if strictly above: exact quotients come out one too small, before rounding",
+            "the divider subtracts only if the remainder is strictly above the divisor: exact quotients are one too small before rounding",
         ),
         (Self::TiesToOdd, "in division, ties go to the odd neighbour"),
         (Self::NoBias, "no bias: edges own their samples on both sides"),
-        (Self::AlwaysBias, "every edge is biased: none owns its samples"),
+        (Self::AlwaysBias, "every edge is biased: no edge owns its samples"),
         (Self::BottomOwns, "horizontal edges: bottom edges own instead of top edges"),
         (
             Self::Unturned,
-            "triangles of negative area are not turned round, and their area loses its sign",
+            "triangles of negative area are not reversed, and their area loses its sign",
         ),
         (Self::SlopesSwapped, "dz/dx and dz/dy are swapped"),
         (Self::StepsSwapped, "edge steps a and b are swapped"),

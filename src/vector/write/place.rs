@@ -44,7 +44,7 @@ impl Place {
             if let Some(entry) = entries.iter().find(|entry| !ours.contains(&entry.file_name())) {
                 // In the folder of a set, what stands between its files is meant, not the set.
                 let strange = inner.unwrap_or_else(|| entry.path());
-                let message = format!("{} is no part of a vector set", strange.display());
+                let message = format!("{} does not belong to a vector set", strange.display());
                 return Err(Error::new(ErrorKind::DirectoryNotEmpty, message));
             }
         }

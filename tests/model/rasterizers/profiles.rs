@@ -91,10 +91,15 @@ fn what_has_no_meaning_is_refused() {
         ("vortex", "block = 4", "block = 64", "2 <= block <= tile <= 1024"),
         ("psp", "width = 32", "width = 40", "an edge word has 2 to 32 bits"),
         ("psp", "\"x0:16\"", "\"x9:16\"", "needs a register \"x0\""),
-        ("psp", "\"e2\"", "\"e3\"", "there is no \"e3\"; this record has x, y, e0, e1, e2"),
+        (
+            "psp",
+            "\"e2\"",
+            "\"e3\"",
+            "there is no value \"e3\"; the values of this record are x, y, e0, e1, e2",
+        ),
         ("ps1", "sub-pixel = 0", "sub-pixel = 2", "planes are anchored at whole pixels"),
         ("ps1", "\"left:11\"", "\"left:11 upper:3@11\"", "has no register \"upper\""),
-        ("ps1", "clamp = \"wrap\"", "clamp = \"saturate\"", "no state to stick"),
+        ("ps1", "clamp = \"wrap\"", "clamp = \"saturate\"", "cannot saturate its accumulator"),
         ("voodoo", "\"adjust\"", "\"-\"", ""),
         (
             "voodoo",
@@ -108,7 +113,7 @@ fn what_has_no_meaning_is_refused() {
             "w-float = \"q\"",
             "depth takes channel \"q\", and there is none",
         ),
-        ("voodoo", "\"r:24\"", "\"r:24@16\"", "a word has bits 0 to 31"),
+        ("voodoo", "\"r:24\"", "\"r:24@16\"", "must lie in bits 0 to 31"),
         ("virge", "rightward:1@31", "leftward:1@31", ""),
         ("virge", "rightward:1@31", "-:1@31", "exactly one of `leftward` and `rightward`"),
         (
@@ -119,7 +124,7 @@ fn what_has_no_meaning_is_refused() {
         ),
         ("n64", "depth = \"z\"", "depth = \"s\"", "18 integer bits"),
         ("n64", "correction = 3", "correction = 14", "correction = 14 <= interpolation = 13"),
-        ("n64", "radix = 16", "radix = 8", "radix 10 or 16"),
+        ("n64", "radix = 16", "radix = 8", "radix of words is 10 or 16"),
         ("n64", "letter = \"S\"", "letter = \"SS\"", "expected a character"),
         ("vulkan-4bit", "lattice = 8", "lattice = 4", "sub-pixel = 4 < lattice"),
     ];
@@ -139,7 +144,7 @@ fn what_has_no_meaning_is_refused() {
     let depth = "\n[depth]\nguard = 0\ninteger = 8\ninterpolation = 4\nrounding = \"floor\"\ndivision = \"quotient\"\nclamp = \"wrap\"\nstart-bias = \"none\"\n";
     let text = BUILTIN.iter().find(|(name, _)| *name == "psp").unwrap().1.to_owned() + depth;
     let error = parse(&text, "changed.toml").unwrap_err().to_string();
-    assert!(error.contains("[depth] beside [form.registers]"), "{error}");
+    assert!(error.contains("[depth] has no effect with [form.registers]"), "{error}");
 }
 
 /// Clause RG-2: records beyond a number are counted and not kept.

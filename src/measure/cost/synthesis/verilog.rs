@@ -25,7 +25,7 @@ pub struct Source {
 /// row, 3 holds. A step down starts from the row start, which it moves.
 ///
 /// # Errors
-/// [`InvalidProfile`] if its parts do not go together, or its machine states no cost.
+/// [`InvalidProfile`] if the profile fails validation, or if its machine has no cost model.
 pub fn sources(profile: &Profile) -> Result<Vec<Source>, InvalidProfile> {
     profile.validate()?;
     let depth = profile.depth.map(|depth| depth.validate(&profile.vertex)).transpose()?;
