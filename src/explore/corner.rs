@@ -16,6 +16,7 @@ pub(super) struct Area {
 
 impl Area {
     /// The same interval on both axes.
+    #[cfg(feature = "laboratory")]
     pub(super) const fn square(low: i128, high: i128) -> Self {
         Self { low: [low; 2], high: [high; 2] }
     }
@@ -42,6 +43,7 @@ pub(super) fn bias(rule: FillRule, edge: &EdgeCoefficients) -> i128 {
 }
 
 /// The bias of the top-left rule.
+#[cfg(feature = "laboratory")]
 pub(super) fn top_left_bias(edge: &EdgeCoefficients) -> i128 {
     bias(FillRule::TopLeft, edge)
 }
