@@ -18,6 +18,27 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Which type do I need?
+//!
+//! | I want to | types |
+//! | --- | --- |
+//! | add words as a register does | [`bits::Word`] with [`bits::Bits`], [`format::Q`] or [`format::QFormat`] |
+//! | round a shift or a quotient | [`bits::Rounding`] |
+//! | walk a line or a plane | [`dda::Linear`], [`dda::Planar`], [`dda::Walker`] for one operation a clock |
+//! | decode guard bits | [`format::ReadOut`], [`format::Clamp`] |
+//! | keep an exact value and its units | [`format::Unreduced`] |
+//! | load a rasterizer | [`profile::load`], [`profile::Profile`] |
+//! | draw | [`model::Model`], [`scene::Primitive`], [`model::Drawing`] or a [`machine::Sink`] of your own |
+//! | draw coverage and depth into memory, quickly | [`model::Raster`] |
+//! | describe a rasterizer of my own | [`machine::Rasterizer`], [`machine::Machine`] |
+//! | compare with exact arithmetic | [`exact::Rational`], [`exact::covers`] |
+//!
+//! With the feature `verification`: golden sets (`vector`), accuracy and cost (`measure`), sweeps and proofs
+//! (`explore`), JSON Lines (`scene::lines`). With `laboratory`: the claims and the speed measurements. With
+//! `cli`, the default: the command.
+//!
+//! # The modules
+//!
 //! The modules, from the lowest to the highest; each imports only from the modules before it:
 //!
 //! 1. [`bits`]: words, rounding, numeric events, hexadecimal text
@@ -31,10 +52,10 @@
 //! 9. [`profile`]: the configurations of the modules above in one TOML file
 //! 10. [`scene`]: triangles, meshes, a camera, built-in scenes
 //! 11. [`model`]: a validated profile that draws; the entry point to all modules before it
-//! 12. [`case`]: test stimulus by class, determined by seed, class and index
-//! 13. [`measure`]: error, cost, speed, budgets
-//! 14. [`vector`]: golden sets, their verification, diagnosis of device dumps
-//! 15. [`explore`]: sweeps and searches over budgets, proofs of how few bits are enough, known facts recomputed
+//! 12. `case`: test stimulus by class, determined by seed, class and index
+//! 13. `measure`: error, cost, speed, budgets
+//! 14. `vector`: golden sets, their verification, diagnosis of device dumps
+//! 15. `explore`: sweeps and searches over budgets, proofs of how few bits are enough, known facts recomputed
 //!
 //! The feature `cli` adds the command. Your own program can call `cli::main` with your own machines; it is
 //! then the same command with these machines in addition.

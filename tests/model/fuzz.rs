@@ -1,7 +1,7 @@
 //! A smoke run of the fuzz targets: seeds that are read, and the same seeds spoiled.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-#[path = "../../fuzz/src/lib.rs"]
+#[path = "../support/targets.rs"]
 #[allow(unreachable_pub, reason = "public for the fuzz binaries")]
 mod targets;
 
