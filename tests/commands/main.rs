@@ -1,5 +1,6 @@
 //! The command and the texts around it: every subcommand as a process, the specification, the shape of the
 //! sources. One binary, as `model`.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "../support/device.rs"]
 mod device;

@@ -1,5 +1,6 @@
 //! The library: arithmetic, machines, measures, committed sets. One binary, so that the library is linked
 //! once and both cores have work.
+#![allow(clippy::unwrap_used, reason = "a test may panic")]
 
 #[path = "../oracle/cover.rs"]
 mod oracle;
