@@ -5,6 +5,7 @@ use super::field::Level;
 use super::record::Record;
 use crate::measure::accuracy::{Accuracy, Deviation, Spread, ValueError};
 use crate::measure::cost::Cost;
+use std::cmp::Ordering;
 
 /// What a figure is read from.
 #[derive(Clone, Copy)]
@@ -12,6 +13,56 @@ enum Source {
     Cost(fn(&Cost) -> f64),
     Accuracy(fn(&Accuracy) -> Option<f64>),
     Record(fn(&Record) -> Option<f64>),
+}
+
+/// What a figure is about. Searches ask this, never a name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subject {
+    /// Hardware cost, from the bits alone.
+    Cost,
+    /// Samples that are wrongly covered or wrongly not covered.
+    Misclassified,
+    /// Samples with too few or too many hits.
+    Hits,
+    /// Pairs adjacent in depth that are reversed (`Greater`) or become equal (`Equal`).
+    Order(Ordering),
+    /// Depths outside the guard range.
+    Wraps,
+    /// Depths clamped to an end of the range.
+    Clamps,
+    /// Triangles that the profile does not draw.
+    Triangles,
+    /// The error of an interpolated value.
+    Value(Interpolated, Scale),
+    /// The software model.
+    Software,
+}
+
+/// Which value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interpolated {
+    /// Depth.
+    Depth,
+    /// The attribute.
+    Attribute,
+}
+
+/// In which units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scale {
+    /// Units of the last place.
+    Ulp,
+    /// Distance for depth, a part of its range for the attribute.
+    World,
+}
+
+/// What causes it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cause {
+    /// The vertex grid.
+    Snap,
+    /// The words.
+    Arithmetic,
 }
 
 /// A figure of a budget.
@@ -23,6 +74,10 @@ pub struct Metric {
     pub unit: &'static str,
     /// What it is, in a few words.
     pub about: &'static str,
+    /// What it is about.
+    pub subject: Subject,
+    /// What causes it; a cost is a matter of the words.
+    pub cause: Cause,
     source: Source,
 }
 
@@ -71,10 +126,10 @@ impl Metric {
 
     /// What the figure of an accuracy depends on.
     pub fn level(&self) -> Level {
-        match self.name {
-            name if name.starts_with("snap-") => Level::Stage,
-            "misclassified" | "holes" | "double-hits" => Level::Coverage,
-            _ => Level::Value,
+        match (self.cause, self.subject) {
+            (Cause::Snap, _) => Level::Stage,
+            (Cause::Arithmetic, Subject::Misclassified | Subject::Hits) => Level::Coverage,
+            (Cause::Arithmetic, _) => Level::Value,
         }
     }
 
@@ -95,7 +150,8 @@ const fn cost(
     about: &'static str,
     read: fn(&Cost) -> f64,
 ) -> Metric {
-    Metric { name, unit, about, source: Source::Cost(read) }
+    let (subject, cause) = (Subject::Cost, Cause::Arithmetic);
+    Metric { name, unit, about, subject, cause, source: Source::Cost(read) }
 }
 
 const COST: [Metric; 7] = [
@@ -114,20 +170,67 @@ const COST: [Metric; 7] = [
     }),
 ];
 
+/// The words of the tables below as causes and subjects.
+macro_rules! table {
+    (arithmetic) => {
+        Cause::Arithmetic
+    };
+    (snap) => {
+        Cause::Snap
+    };
+    (misclassified) => {
+        Subject::Misclassified
+    };
+    (holes) => {
+        Subject::Hits
+    };
+    (double_hits) => {
+        Subject::Hits
+    };
+    (inversions) => {
+        Subject::Order(Ordering::Greater)
+    };
+    (ties) => {
+        Subject::Order(Ordering::Equal)
+    };
+    (wraps) => {
+        Subject::Wraps
+    };
+    (clamps) => {
+        Subject::Clamps
+    };
+    (refused) => {
+        Subject::Triangles
+    };
+    (vanished) => {
+        Subject::Triangles
+    };
+    (depth) => {
+        Interpolated::Depth
+    };
+    (attribute) => {
+        Interpolated::Attribute
+    };
+    (ulp) => {
+        Scale::Ulp
+    };
+    (world) => {
+        Scale::World
+    };
+}
+
 /// Counts of samples, pairs or triangles, one cause of error each.
 macro_rules! counts {
     ($($name:literal $cause:ident $field:ident $unit:literal $about:literal),* $(,)?) => {[
-        $(count($name, $unit, $about, |a| counted(a.$cause.$field)),)*
+        $(Metric {
+            name: $name,
+            unit: $unit,
+            about: $about,
+            subject: table!($field),
+            cause: table!($cause),
+            source: Source::Accuracy(|a| counted(a.$cause.$field)),
+        },)*
     ]};
-}
-
-const fn count(
-    name: &'static str,
-    unit: &'static str,
-    about: &'static str,
-    read: fn(&Accuracy) -> Option<f64>,
-) -> Metric {
-    Metric { name, unit, about, source: Source::Accuracy(read) }
 }
 
 #[allow(clippy::cast_precision_loss, reason = "a count in a report")]
@@ -155,9 +258,16 @@ const COUNTS: [Metric; 14] = counts![
 
 macro_rules! spreads {
     ($($name:literal $cause:ident $value:ident $scale:ident $unit:literal $part:ident $about:literal),* $(,)?) => {[
-        $(Metric { name: $name, unit: $unit, about: $about, source: Source::Accuracy(|a| {
-            figure(&a.$cause, |d| d.$value.as_ref(), |e| &e.$scale).map(|s| s.$part.abs())
-        })},)*
+        $(Metric {
+            name: $name,
+            unit: $unit,
+            about: $about,
+            subject: Subject::Value(table!($value), table!($scale)),
+            cause: table!($cause),
+            source: Source::Accuracy(|a| {
+                figure(&a.$cause, |d| d.$value.as_ref(), |e| &e.$scale).map(|s| s.$part.abs())
+            }),
+        },)*
     ]};
 }
 
@@ -201,12 +311,16 @@ const MEASURED: [Metric; 2] = [
         name: "operations",
         unit: "a fragment",
         about: "operations per covered sample, including a share of the set-up",
+        subject: Subject::Software,
+        cause: Cause::Arithmetic,
         source: Source::Record(|record| Some(record.operations_per_fragment)),
     },
     Metric {
         name: "ns",
         unit: "ns a sample",
         about: "time of the software model on one thread",
+        subject: Subject::Software,
+        cause: Cause::Arithmetic,
         source: Source::Record(|record| record.speed.map(|speed| speed.ns_per_sample)),
     },
 ];

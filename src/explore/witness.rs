@@ -1,6 +1,7 @@
 //! A counterexample to a budget: a triangle and a sample that it draws wrong. Spec clause `Q-8`.
 
 use super::field::{Level, Value};
+use super::metric::{Cause, Interpolated, Metric, Scale, Subject};
 use super::sweep::{self, Sweep};
 use super::tolerance::{Tolerance, exceeded};
 use crate::bits::Event;
@@ -58,7 +59,7 @@ pub(super) fn witness(
     let scene = (0..each.len())
         .max_by(|a, b| figure(&each[*a]).total_cmp(&figure(&each[*b])).then(b.cmp(a)))
         .unwrap_or(0);
-    let place = locate(sweep, scene, &stages[scene], profile, tolerance.metric.name)?;
+    let place = locate(sweep, scene, &stages[scene], profile, tolerance.metric)?;
     let face = place.and_then(|p| stages[scene].faces.iter().find(|f| f.source == p.triangle));
     let finding = match place {
         Some(place) => words(place, tolerance.metric.name),
@@ -76,37 +77,50 @@ pub(super) fn witness(
     }))
 }
 
+/// The value to look at for a metric.
+const fn inspected(value: Interpolated) -> Inspected {
+    match value {
+        Interpolated::Depth => Inspected::Depth,
+        Interpolated::Attribute => Inspected::Attribute,
+    }
+}
+
 /// The place behind a metric.
 fn locate(
     sweep: &Sweep,
     scene: usize,
     stage: &Stage,
     profile: &Profile,
-    metric: &str,
+    metric: Metric,
 ) -> Result<Option<Place>, InvalidProfile> {
-    let world = metric.ends_with("-world");
-    let snapped = metric.strip_prefix("snap-");
-    let value = if metric.contains("attribute-") { Inspected::Attribute } else { Inspected::Depth };
-    if let Some(metric) = snapped {
+    if metric.cause == Cause::Snap {
         let (grid, clip) = (profile.grid()?, profile.window()?);
         let truth = Truth::new(&sweep.scenes[scene], &grid, clip, exact_rule(&profile.form));
-        return Ok(match metric {
-            "misclassified" | "holes" | "double-hits" => stage.displaced(&truth),
-            "inversions" => stage.exchanged(Ordering::Greater),
-            "ties" => stage.exchanged(Ordering::Equal),
-            "refused" | "vanished" => None,
-            _ => stage.moved(&truth, value, world),
+        return Ok(match metric.subject {
+            Subject::Misclassified | Subject::Hits => stage.displaced(&truth),
+            Subject::Order(order) => stage.exchanged(order),
+            Subject::Value(value, scale) => {
+                stage.moved(&truth, inspected(value), scale == Scale::World)
+            }
+            // A triangle that is not drawn has no sample.
+            Subject::Triangles => None,
+            Subject::Wraps | Subject::Clamps | Subject::Cost | Subject::Software => {
+                unreachable!("{}: snapping has none", metric.name)
+            }
         });
     }
-    Ok(match metric {
-        "misclassified" | "holes" | "double-hits" => stage.misclassified(profile),
-        "inversions" => stage.broken(profile, Ordering::Greater),
-        "ties" => stage.broken(profile, Ordering::Equal),
-        "wraps" => stage.raised(profile, Event::Wrap),
-        "clamps" => stage
+    Ok(match metric.subject {
+        Subject::Misclassified | Subject::Hits => stage.misclassified(profile),
+        Subject::Order(order) => stage.broken(profile, order),
+        Subject::Wraps => stage.raised(profile, Event::Wrap),
+        Subject::Clamps => stage
             .raised(profile, Event::ClampAbove)
             .or_else(|| stage.raised(profile, Event::ClampBelow)),
-        _ => stage.worst(profile, value, world),
+        Subject::Value(value, scale) => {
+            stage.worst(profile, inspected(value), scale == Scale::World)
+        }
+        // What has no place in the picture.
+        Subject::Triangles | Subject::Cost | Subject::Software => None,
     })
 }
 

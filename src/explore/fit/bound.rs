@@ -1,5 +1,7 @@
 //! What the specification's bounds prove without measuring. Spec clause `Q-9`.
 
+use crate::explore::field::Level;
+use crate::explore::metric::{Interpolated, Scale, Subject};
 use crate::explore::tolerance::Tolerance;
 use crate::format::Clamp;
 use crate::measure::accuracy::{Drawn, Stage};
@@ -31,17 +33,23 @@ pub(super) fn meets(
     let world = stages.iter().map(|stage| stage.world.largest(error)).fold(0.0, f64::max);
     let range = stages.iter().map(|stage| error / stage.world.top).fold(0.0, f64::max);
     tolerances.iter().all(|Tolerance { metric, limit }| {
-        let most = match metric.name {
+        if metric.is_accuracy() && metric.level() != Level::Value {
+            // Looked at before: it does not depend on the values.
+            return true;
+        }
+        let most = match metric.subject {
             // No mean square exceeds the largest square, and no mean the largest error.
-            "depth-worst" | "depth-mean" | "depth-rms" | "attribute-worst" | "attribute-mean"
-            | "attribute-rms" => error,
-            "depth-worst-world" | "depth-mean-world" | "depth-rms-world" => world,
-            "attribute-worst-world" | "attribute-mean-world" | "attribute-rms-world" => range,
-            "wraps" => 0.0,
-            // Looked at before: they do not depend on the values.
-            name if name.starts_with("snap-") => return true,
-            "misclassified" | "holes" | "double-hits" => return true,
-            _ => return false,
+            Subject::Value(_, Scale::Ulp) => error,
+            Subject::Value(Interpolated::Depth, Scale::World) => world,
+            Subject::Value(Interpolated::Attribute, Scale::World) => range,
+            Subject::Wraps => 0.0,
+            Subject::Misclassified
+            | Subject::Hits
+            | Subject::Order(_)
+            | Subject::Clamps
+            | Subject::Triangles
+            | Subject::Cost
+            | Subject::Software => return false,
         };
         most <= *limit
     })

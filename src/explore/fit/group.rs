@@ -2,6 +2,7 @@
 
 use crate::cover::{EdgeWordConfig, SampleConfig};
 use crate::explore::field::Level;
+use crate::explore::metric::{Cause, Subject};
 use crate::explore::sweep;
 use crate::explore::tolerance::{Tolerance, exceeded};
 use crate::format::{Clamp, ReadOut};
@@ -138,7 +139,9 @@ impl Group {
         if let Some(known) = self.coverages.iter().position(|known| known.form == profile.form) {
             return Ok(known);
         }
-        let limits = tolerances.iter().filter(|t| t.metric.name == "misclassified");
+        let limits = tolerances.iter().filter(|t| {
+            (t.metric.cause, t.metric.subject) == (Cause::Arithmetic, Subject::Misclassified)
+        });
         let limit = limits.map(|t| t.limit).fold(f64::INFINITY, f64::min);
         let (mut tally, mut all) = (Tally::default(), Vec::with_capacity(self.stages.len()));
         for stage in &self.stages {

@@ -4,6 +4,7 @@ use super::group::{Group, StageKey};
 use super::partly::Partly;
 use super::{Effort, bound};
 use crate::explore::field::Level;
+use crate::explore::metric::Subject;
 use crate::explore::sweep::Sweep;
 use crate::explore::tolerance::{Tolerance, exceeded};
 use crate::format::Clamp;
@@ -90,7 +91,7 @@ impl<'a> Judge<'a> {
         let read = depth.read_out();
         let plane = group.coverages[at].plane(config);
         let held = plane.depth.within(read.range());
-        let no_wrap = |t: &Tolerance| t.metric.name == "wraps" && t.limit < 1.0;
+        let no_wrap = |t: &Tolerance| t.metric.subject == Subject::Wraps && t.limit < 1.0;
         if !held && self.tolerances.iter().any(no_wrap) {
             self.effort.by_range += 1;
             return Verdict::Fails;
