@@ -3,6 +3,7 @@
 //! This is the lowest module: all other modules use these words, and nothing here depends on triangles.
 //! Spec clauses `W-*` (words), `R-*` (rounding) and `V-*` (events).
 
+mod bounded;
 mod event;
 mod lane;
 mod overflow;
@@ -11,6 +12,7 @@ mod status;
 mod text;
 mod word;
 
+pub(crate) use bounded::bounded;
 pub use event::{EventLog, Events, Extent, Place, SpanEvents};
 pub use lane::Lane;
 pub use overflow::{Overflow, SumError};

@@ -44,6 +44,7 @@ fn main() {
     let trials = vec![
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
+        ICARUS.trial("icarus_rounds_in_every_way", bench::icarus_rounds),
         VERILATOR.soak_trial("verilator_runs_a_million_vectors", bench::verilator),
         GHDL.trial("ghdl_runs_the_walks", bench::ghdl),
         ICARUS.trial("icarus_refuses_spoiled_files", spoiled::icarus),

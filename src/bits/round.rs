@@ -213,7 +213,7 @@ impl Rounding {
     /// `None` when the denominator is zero or the quotient does not fit. Spec clause `R-3`.
     ///
     /// Error against exact: below one unit for the directed roundings and odd, at most one half
-    /// for the five nearest ones.
+    /// for the nearest ones.
     #[inline]
     pub fn divide(self, numerator: i128, denominator: i128) -> Option<(i128, bool)> {
         let quotient = match (i64::try_from(numerator), i64::try_from(denominator)) {

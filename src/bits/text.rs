@@ -1,5 +1,7 @@
 //! Fixed-width hexadecimal text, the form every vector file uses. Spec clause `W-4`.
 
+use super::bounded;
+
 /// `bits` in lower-case hexadecimal, zero-padded to whole nibbles of `width`.
 ///
 /// ```
@@ -12,11 +14,11 @@ pub fn hex(bits: u128, width: u32) -> String {
 /// Appends `digits` hexadecimal digits of `bits`, for words of any width up to 128.
 #[inline]
 pub fn push_hex(out: &mut Vec<u8>, bits: u128, digits: usize) {
-    let low = (bits & u128::from(u64::MAX)).try_into().unwrap_or(0);
+    let low = bounded(bits & u128::from(u64::MAX));
     if digits <= 16 {
         push_hex_narrow(out, low, digits);
     } else {
-        push_hex_narrow(out, (bits >> 64).try_into().unwrap_or(0), digits - 16);
+        push_hex_narrow(out, bounded(bits >> 64), digits - 16);
         push_hex_narrow(out, low, 16);
     }
 }

@@ -110,7 +110,7 @@ impl fmt::Display for RunTime {
 /// assert_eq!(a + Word::wrapping(Bits::<5>, 9), sum);
 /// let [five, eight] = [RunTime::new(5)?, RunTime::new(8)?];
 /// let refused = Word::wrapping(eight, 100).try_add(Word::wrapping(five, 3)).unwrap_err();
-/// assert!(refused.to_string().starts_with("a word of 8 bits and one of 5 bits"));
+/// assert!(refused.to_string().contains("different formats, 8 bits and 5 bits"));
 /// # Ok::<(), guardbit::bits::WidthError>(())
 /// ```
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]

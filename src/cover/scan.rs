@@ -4,6 +4,7 @@
 use super::rect::Rect;
 use super::rule::FillRule;
 use super::sample::SampleGrid;
+use crate::bits::bounded;
 use num_traits::PrimInt;
 
 /// The first pixel right of one side, row after row: `cut = floor((N + bias) / D)` with
@@ -140,7 +141,7 @@ pub fn scan(
 ) {
     let sub_pixel = grid.sub_pixel as usize;
     if narrow {
-        let lane = |value: i128| i64::try_from(value).unwrap_or(0);
+        let lane = |value: i128| -> i64 { bounded(value) };
         let grid = Grid { offset: grid.offset.map(lane), sub_pixel };
         rows::<i64>(xy.map(|v| v.map(lane)), grid, clip, rule, row);
     } else {

@@ -1,7 +1,7 @@
 //! Event counts of a linear run of samples without looking at one of them.
 //! Spec clause `V-4`; the per-sample twin is [`super::twin::span_events`].
 
-use crate::bits::{Event, Extent, Place, SpanEvents};
+use crate::bits::{Event, Extent, Place, SpanEvents, bounded};
 use crate::format::ReadOut;
 
 /// A run of unwrapped accumulator values: `start + n * slope` for `0 <= n < count`.
@@ -72,7 +72,7 @@ impl Line {
         let target = (-(start >> shared)).wrapping_mul(inverse) & ((1 << period) - 1);
         let remaining = i128::from(self.count) - target;
         let hits = if remaining > 0 { ((remaining - 1) >> period) + 1 } else { 0 };
-        (u64::try_from(hits).unwrap_or(0), first)
+        (bounded(hits), first)
     }
 
     /// The events of the run as read through `read`, samples lying at `place` and rightward.

@@ -331,7 +331,7 @@ impl Gather {
     }
 
     /// Puts the low bits of a value where they lie.
-    pub fn scatter(&self, value: i64, words: &mut [u32]) {
+    pub fn scatter(&self, value: i128, words: &mut [u32]) {
         for piece in &self.pieces {
             if let Some(word) = words.get_mut(piece.word) {
                 let bits = low(value.cast_unsigned() >> piece.from) & ones(piece.width);
@@ -361,7 +361,7 @@ impl Packer {
 }
 
 /// The low 32 bits.
-fn low(value: u64) -> u32 {
-    let [a, b, c, d, ..] = value.to_le_bytes();
+fn low(value: impl Into<u128>) -> u32 {
+    let [a, b, c, d, ..] = value.into().to_le_bytes();
     u32::from_le_bytes([a, b, c, d])
 }

@@ -1,7 +1,7 @@
 //! Guard bits and their decoding on read-out. Spec clauses `G-1` to `G-6`.
 
 use super::q::QFormat;
-use crate::bits::{Event, Lane, Status};
+use crate::bits::{Event, Lane, Status, bounded};
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -197,7 +197,7 @@ impl ReadOut {
     #[inline]
     pub fn read(self, accumulator: i128) -> u64 {
         let held = self.reduce(accumulator).clamp(0, self.top() - 1);
-        u64::try_from(held >> self.fraction).unwrap_or(u64::MAX)
+        bounded(held >> self.fraction)
     }
 
     /// Where the value that the read-out sees stands: 0 inside, 1 above, 2 below.

@@ -3,7 +3,7 @@
 
 use super::painter::report;
 use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
-use crate::bits::{Place, SpanEvents};
+use crate::bits::{Place, SpanEvents, bounded};
 use crate::cover::{DepthAt, MultisampleConfig, Rect};
 use crate::format::{Column, Role, Unreduced, WordFormat};
 use crate::setup::{Plane, Triangle, VertexConfig};
@@ -101,7 +101,7 @@ impl Multisampled {
         masks: &[u32],
         out: &mut dyn Sink,
     ) -> Result<(), DrawError> {
-        let x1 = x0 + u32::try_from(masks.len()).unwrap_or(u32::MAX);
+        let x1 = x0 + bounded::<_, u32>(masks.len());
         let Some((depth, planes)) = planes else {
             out.span(y, x0, x1, &[]);
             out.masks(y, x0, masks);
@@ -190,7 +190,7 @@ impl Machine for Multisampled {
             let mut from = 0;
             for run in masks.chunk_by(|a, b| (*a == 0) == (*b == 0)) {
                 let x0 = bounds.x0 + from;
-                let length = u32::try_from(run.len()).unwrap_or(u32::MAX);
+                let length = bounded::<_, u32>(run.len());
                 from += length;
                 if run[0] == 0 {
                     continue;

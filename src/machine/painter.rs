@@ -1,7 +1,7 @@
 //! What machines share once a run of samples is found: values, read-out and events.
 
 use super::{DrawError, Sink, Target};
-use crate::bits::{Event, Place, SpanEvents};
+use crate::bits::{Event, Place, SpanEvents, bounded};
 use crate::format::{Clamp, ReadOut, Unreduced};
 use crate::setup::{Plane, Triangle};
 use crate::value::Depth;
@@ -105,7 +105,7 @@ pub(super) fn accumulated_span(
     }
     let held = |value: &i128| read.reduce(*value).clamp(0, read.top() - 1);
     let values: Vec<u64> = accumulators.iter().map(|value| depth.code(held(value))).collect();
-    let length = u32::try_from(values.len()).unwrap_or(u32::MAX);
+    let length: u32 = bounded(values.len());
     out.span(y, x0, x0 + length, &values);
     if out.wants_held() {
         out.held(y, x0, &accumulators.iter().map(held).collect::<Vec<_>>());

@@ -20,6 +20,7 @@ pub use sub_scanline::{Product, SubScanlineConfig};
 pub use text::WordsError;
 
 use super::{DrawError, Input, Machine, Ports, Sink, Target};
+use crate::bits::bounded;
 use crate::format::{Column, Layout, Packer};
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, ChannelConfig};
@@ -199,9 +200,9 @@ impl RegisterMachine {
         pixels.sort_unstable();
         pixels.dedup();
         for run in pixels.chunk_by(|a, b| a.0 == b.0 && a.1 + 1 == b.1) {
-            let at = |value: i64| u32::try_from(value).unwrap_or(0);
+            let at = |value: i64| -> u32 { bounded(value) };
             let ((y, x0), length) = (run[0], run.len());
-            out.span(at(y), at(x0), at(x0) + u32::try_from(length).unwrap_or(0), &[]);
+            out.span(at(y), at(x0), at(x0) + bounded::<_, u32>(length), &[]);
         }
     }
 }

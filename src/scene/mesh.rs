@@ -286,7 +286,7 @@ mod tests {
             ("f 1 2 c\n", "line 5: corner 3 of `f`: `c`"),
             ("f 1 /2 3\n", "line 5: corner 2 of `f`: `/2`"),
             ("f 1 2 99999999999999999999\n", "line 5: corner 3"),
-            ("", "no faces: 4 vertices"),
+            ("", "no faces: the mesh has 4 vertices"),
         ] {
             let text = faces(tail).unwrap_err().to_string();
             assert!(text.contains(want), "{tail}: {text}");

@@ -1,7 +1,7 @@
 //! The Z/w depth plane: guard, integer and interpolation bits, a start and two slopes.
 
 use super::depth_format::{DepthFormat, DepthFormatError};
-use crate::bits::{Place, Rounding, SpanEvents};
+use crate::bits::{Place, Rounding, SpanEvents, bounded};
 use crate::cover::SampleGrid;
 use crate::dda::{Line, Processor, Walker, row_values};
 use crate::format::{Clamp, Decode, ReadOut, ReadOutError, Unreduced};
@@ -171,7 +171,7 @@ impl Depth {
     #[inline]
     pub fn code(&self, held: i128) -> u64 {
         match self.config.format {
-            None => u64::try_from(held >> self.read.fraction()).unwrap_or(u64::MAX),
+            None => bounded(held >> self.read.fraction()),
             Some(format) => {
                 let (integer, interpolation) = (self.config.integer, self.config.interpolation);
                 // Nearest for what is made anew; the accumulator's own fraction is in it.

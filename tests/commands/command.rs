@@ -691,7 +691,7 @@ fn the_readmes_search_works_as_printed() {
         outputs.push(String::from_utf8(ran.stdout).unwrap());
     }
     assert_eq!(outputs.len(), 6);
-    for made in ["bunny.html", "bunny.svg", "bunny.toml", "bunny.smt2", "bunny.g"] {
+    for made in ["bunny.html", "bunny.svg", "bunny.toml", "sgi-4k.smt2", "sgi-4k.g"] {
         assert!(home.path().join(made).metadata().unwrap().len() > 0, "{made}");
     }
     // What is printed has the lines that the README shows, whatever the mesh.

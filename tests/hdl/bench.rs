@@ -2,6 +2,7 @@
 
 // Clauses J-1, J-2 and J-3.
 use crate::set::{GHDL, ICARUS, Set, VERILATOR, build_ghdl, build_icarus, build_verilator, good};
+use guardbit::bits::Rounding;
 use std::path::{Path, PathBuf};
 use std::thread;
 
@@ -87,6 +88,16 @@ pub(crate) fn icarus(_: &str) {
         let serial = devices.replace("parameter int SERIAL = 0", "parameter int SERIAL = 1");
         assert_ne!(serial, devices);
         std::fs::write(set.folder.join("dut.sv"), serial).unwrap();
+        build_icarus(&set.folder);
+        passes(&set.folder, ICARUS);
+    }
+}
+
+/// The divider's rounding is a parameter: each of them, under a profile that has it.
+pub(crate) fn icarus_rounds(_: &str) {
+    for rounding in Rounding::ALL.map(|rounding| rounding.names().guardbit) {
+        let line = format!("rounding = \"{rounding}\"");
+        let set = Set::of("tiny", &[("rounding = \"nearest-even\"", &line)], "--count 1200");
         build_icarus(&set.folder);
         passes(&set.folder, ICARUS);
     }

@@ -31,14 +31,14 @@ fn profile(words: &mut Words) -> Profile {
     profile.window = WindowConfig { width: 11, height: 9 };
     profile.vertex.integer = 4;
     profile.vertex.sub_pixel = 1 + u32::try_from(words.below(3)).unwrap();
-    profile.vertex.snap = Rounding::ALL[index(words, 10)];
+    profile.vertex.snap = Rounding::ALL[index(words, Rounding::ALL.len() as u64)];
     let pick = |words: &mut Words, n: u64| u32::try_from(words.below(n)).unwrap();
     profile.form = if words.below(3) == 0 {
         Form::EdgeWalk(EdgeWalkConfig {
             guard: 1,
             integer: 4,
             fraction: pick(words, 6),
-            rounding: Rounding::ALL[index(words, 10)],
+            rounding: Rounding::ALL[index(words, Rounding::ALL.len() as u64)],
         })
     } else {
         Form::EdgeFunction(
@@ -54,7 +54,7 @@ fn profile(words: &mut Words) -> Profile {
         guard: pick(words, 3),
         integer: 2 + pick(words, 4),
         interpolation: pick(words, 6),
-        rounding: Rounding::ALL[index(words, 10)],
+        rounding: Rounding::ALL[index(words, Rounding::ALL.len() as u64)],
         division: match words.below(3) {
             0 => Division::Reciprocal { bits: 3 + pick(words, 8) },
             _ => Division::Quotient,

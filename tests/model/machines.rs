@@ -34,7 +34,9 @@ fn exact_machines(base: &Profile) -> Vec<(String, Profile)> {
         .map(|kind| (kind.name.to_owned(), base.with_machine(kind.name).unwrap()))
         .filter(|(_, profile)| profile.covers_exactly())
         .collect();
-    assert_eq!(list.len(), 6, "two of eight walk their edges");
+    for name in ["edge-function", "engine-per-pixel", "tiles", "homogeneous", "scanline"] {
+        assert!(list.iter().any(|(exact, _)| exact == name), "{name} is exact");
+    }
     for order in Order::ALL {
         for stamp in Stamp::ALL {
             let traversal = Some(TraversalConfig { order, stamp });
@@ -187,7 +189,7 @@ fn bound(profile: &Profile, triangle: &Triangle) -> f64 {
 /// is wrong only at samples nearer to an edge than its x can be off.
 #[test]
 fn inexact_machines_stay_within_their_bounds() {
-    let mut worst = [0.0f64; 8];
+    let mut worst = vec![0.0f64; triangle_machines().count()];
     for index in 0..400 {
         let mut words = Words::new(21, 9, index);
         let mut base = load("sgi-4k").unwrap();

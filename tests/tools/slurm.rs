@@ -223,7 +223,7 @@ fn stopped_part_goes_on(cluster: &Cluster) {
     assert_eq!(ended, wanted);
     assert!(!cluster.path("long/all.csv").exists());
     let log = cluster.read("long/part-2.log");
-    assert!(log.contains("goes on from part-2.jsonl"), "{log}");
+    assert!(log.contains("continue from part-2.jsonl"), "{log}");
 
     let text = cluster.read(file);
     let whole = text.trim_end_matches(|letter| letter != '\n');

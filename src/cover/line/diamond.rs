@@ -4,6 +4,7 @@
 //! a clip rectangle: four bounds on the part of the way, compared as fractions.
 
 use super::Segment;
+use crate::bits::bounded;
 use crate::cover::rect::Rect;
 use crate::cover::sample::SampleGrid;
 use std::cmp::Ordering;
@@ -206,7 +207,8 @@ pub(super) fn walk(
             (p[major], p[minor]) = (centre, across * pixel + pixel / 2);
             let place = rotate(p);
             if line.cut(place) && !line.ends_in(place) {
-                let number = u64::try_from((at - first) * sign).unwrap_or(0);
+                // A pixel before the first column, which only a point-like end cuts, counts as the first.
+                let number: u64 = bounded(((at - first) * sign).max(0));
                 if y_major { plot(number, across, at) } else { plot(number, at, across) }
             }
         }

@@ -1,7 +1,7 @@
 //! Lines between pixels, one pixel a step of the major axis. Spec clauses `L-1` to `L-3`.
 
 use super::Start;
-use crate::bits::Rounding;
+use crate::bits::{Rounding, bounded};
 use crate::cover::rect::Rect;
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
@@ -88,7 +88,7 @@ pub(super) fn within(
     let (a, b) = ((low - from) * sign, (last - from) * sign);
     for i in a.min(b).max(0)..=a.max(b).min(line.n) {
         let [x, y] = line.pixel(i, line.minor(rule, i));
-        plot(u64::try_from(i).unwrap_or(0), x, y);
+        plot(bounded(i), x, y);
     }
 }
 

@@ -150,7 +150,8 @@ impl Anchored {
         let anchor = match self.config.anchor {
             Anchor::LeftmostGiven => {
                 let given = leftmost(v);
-                sorted.iter().position(|(_, n)| *n == given).unwrap_or(0)
+                let place = sorted.iter().position(|(_, n)| *n == given);
+                place.unwrap_or_else(|| unreachable!("vertex {given} of three"))
             }
             Anchor::LeftmostSorted => leftmost(sorted.map(|(at, _)| at)),
         };
@@ -247,19 +248,19 @@ impl Engine for Anchored {
         let mut words = vec![0; count];
         for (vertex, at) in self.vertices.iter().zip(triangle.xy) {
             for (gather, value) in vertex.iter().zip(at) {
-                gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+                gather.scatter(value, &mut words);
             }
         }
         for (n, (gathers, channel)) in self.values.iter().zip(&self.channels).enumerate() {
             for (gather, value) in gathers.iter().zip(attributes(channel, n)) {
-                gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+                gather.scatter(value, &mut words);
             }
         }
         let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
         let closed =
             [ends[0].0, ends[1].0, ends[0].1.saturating_sub(1), ends[1].1.saturating_sub(1)];
         for (gather, value) in self.clip.iter().zip(closed) {
-            gather.scatter(i64::from(value), &mut words);
+            gather.scatter(i128::from(value), &mut words);
         }
         vec![words]
     }

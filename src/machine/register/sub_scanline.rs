@@ -6,7 +6,7 @@ mod span;
 use super::host::{attributes, gradient};
 use super::input::{Inputs, RegisterError};
 use super::{Built, Engine};
-use crate::bits::Rounding;
+use crate::bits::{Rounding, bounded};
 use crate::format::Gather;
 use crate::machine::Target;
 use crate::setup::{Triangle, VertexConfig};
@@ -220,7 +220,7 @@ impl Engine for SubScanlines {
             if sub == y_middle {
                 short = (x[0][0] & !1, step(x[0][1]));
             }
-            let n = usize::try_from(sub & 3).unwrap_or(0);
+            let n: usize = bounded(sub & 3);
             if (0..0x1000).contains(&sub) {
                 if n == 0 {
                     span = Span::default();
@@ -264,7 +264,7 @@ impl Engine for SubScanlines {
         }
         let mut words = vec![0; count];
         let mut put = |gather: &Gather, value: i128| {
-            gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+            gather.scatter(value, &mut words);
         };
         let nearest = |numerator: i128, denominator: i128| {
             Rounding::NearestEven.divide(numerator, denominator).map_or(0, |(value, _)| value)

@@ -12,7 +12,7 @@ fn pieces_go_there_and_back() {
     let gather = layout.find("v").unwrap();
     for value in 0..32u32 {
         let mut words = [0, 0];
-        gather.scatter(i64::from(value), &mut words);
+        gather.scatter(i128::from(value), &mut words);
         assert_eq!(words, [(value >> 3) << 30, (value & 1) << 4 | value >> 1 & 3]);
         assert_eq!(gather.unsigned(&words), u64::from(value));
         assert_eq!(i128::from(gather.signed(&words)), wrap(i128::from(value), 5));

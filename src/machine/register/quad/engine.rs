@@ -1,6 +1,7 @@
 //! The engine `quads` at work: descent, quads, pixels. Spec clauses `RG-5` to `RG-7`.
 
 use super::{Descent, Emit, QuadConfig, QuadRule, Source};
+use crate::bits::bounded;
 use crate::cover::SampleGrid;
 use crate::format::Gather;
 use crate::machine::Target;
@@ -58,7 +59,7 @@ impl Quads {
                 };
                 let v = vertices.each_ref().map(|vertex| vertex.each_ref().map(read));
                 let [left, top, right, bottom] = range.each_ref().map(whole);
-                let offset = offset.map(|offset| i64::try_from(offset).unwrap_or(0));
+                let offset = offset.map(|offset| bounded::<_, i64>(offset));
                 let at = [left + offset[0], top + offset[1]];
                 let one = 1i64 << sub_pixel;
                 let edges = [0, 1, 2].map(|k| (v[(k + 1) % 3], v[(k + 2) % 3]));
@@ -143,7 +144,7 @@ impl Quads {
                 (0..2).all(|axis| (job.range[axis][0]..job.range[axis][1]).contains(&pixel[axis]));
             mask |= i64::from(inside && within) << place;
             for (k, value) in edges.into_iter().enumerate() {
-                values[4 * k + usize::try_from(place).unwrap_or(0) + 3] = value;
+                values[4 * k + bounded::<_, usize>(place) + 3] = value;
             }
         }
         if mask == 0 {

@@ -19,14 +19,14 @@ impl Quads {
                 let mut words = vec![0; count];
                 for (vertex, at) in vertices.iter().zip(xy) {
                     for (gather, value) in vertex.iter().zip(at) {
-                        gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+                        gather.scatter(value, &mut words);
                     }
                 }
                 let [x0, y0, x1, y1] = self.target.bounds(&Triangle { xy, z: None });
                 let s = self.target.grid.sub_pixel;
                 let ends = [x0 & !1, y0 & !1, x1, y1].map(|pixel| i64::from(pixel) << s);
                 for (n, gather) in range.iter().enumerate() {
-                    gather.scatter(ends[n] - i64::from(n >= 2), &mut words);
+                    gather.scatter(i128::from(ends[n]) - i128::from(n >= 2), &mut words);
                 }
                 if x0 < x1 && y0 < y1 { vec![words] } else { Vec::new() }
             }
@@ -39,18 +39,18 @@ impl Quads {
                     for x in (whole(x0)..x1).step_by(descent.tile as usize) {
                         let mut words = vec![0; count];
                         for (gather, value) in tile.iter().zip([x, y]) {
-                            gather.scatter(i64::from(value), &mut words);
+                            gather.scatter(i128::from(value), &mut words);
                         }
                         let [cx0, cx1] = clip.clip(0, (0, i128::MAX >> 1)).into();
                         let [cy0, cy1] = clip.clip(1, (0, i128::MAX >> 1)).into();
                         for (gather, value) in range.iter().zip([cx0, cx1, cy0, cy1]) {
-                            gather.scatter(i64::from(value), &mut words);
+                            gather.scatter(i128::from(value), &mut words);
                         }
                         for (gathers, edge) in
                             edges.iter().zip(self.normalised(triangle, *fraction, [x, y]))
                         {
                             for (gather, value) in gathers.iter().zip(edge) {
-                                gather.scatter(value, &mut words);
+                                gather.scatter(value.into(), &mut words);
                             }
                         }
                         lists.push(words);

@@ -46,7 +46,7 @@ impl Slopes {
         let leftward = (cross < 0) != upward;
         let mut words = vec![0; count];
         let mut put = |gather: &Gather, value: i128| {
-            gather.scatter(i64::try_from(value).unwrap_or(0), &mut words);
+            gather.scatter(value, &mut words);
         };
         let (direction, says_left) = &self.edges.direction;
         put(direction, i128::from(leftward == *says_left));
