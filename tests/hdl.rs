@@ -51,7 +51,7 @@ fn main() {
         VERILATOR.trial("verilator_refuses_spoiled_files", spoiled::verilator),
         GHDL.trial("ghdl_refuses_spoiled_files", spoiled::ghdl),
         ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
-        cocotb.trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),
+        cocotb.soak_trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),
         solver.trial("words_wrap_as_proved", formal::words_wrap),
         solver.trial("the_guard_clamp_holds_as_proved", formal::guard_clamps),
         solver.trial("edge_words_fit_as_proved", formal::edges_fit),

@@ -67,7 +67,10 @@ fn main() {
             prover::gappa_reads_the_file_and_refuses_a_spoiled_one,
         ),
         SHELLCHECK.trial("the_scripts_are_clean", slurm::scripts_are_clean),
-        SLURM.trial("job_arrays_do_what_the_readme_says", slurm::arrays_do_what_the_readme_says),
+        SLURM.soak_trial(
+            "job_arrays_do_what_the_readme_says",
+            slurm::arrays_do_what_the_readme_says,
+        ),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }
