@@ -3,6 +3,7 @@
 //! Counter-based: every word is a pure function of its key, so any case can be drawn alone, in any
 //! order, on any number of threads, and an implementation in another language has four lines.
 
+pub mod engine;
 pub mod triangle;
 pub mod walk;
 
@@ -13,6 +14,50 @@ pub struct Class {
     pub tag: &'static str,
     /// The kind of defect it catches, in one sentence.
     pub catches: &'static str,
+}
+
+/// A directed class and its tests.
+#[derive(Clone, Debug)]
+pub struct Directed<T> {
+    /// What they are for.
+    pub class: Class,
+    /// The tests.
+    pub tests: Vec<T>,
+}
+
+/// A short selection of the other classes, which comes first: see [`Directed::core`].
+pub const CORE: Class = Class {
+    tag: "core",
+    catches: "most defects, in the first thousand rows: a few tests of each directed class",
+};
+
+/// Rows of the core that a bench aims at.
+pub const CORE_ROWS: u64 = 1000;
+
+impl<T: Clone> Directed<T> {
+    /// Tests of these classes, taken evenly from each, with about [`CORE_ROWS`] rows in all; `rows`
+    /// says how many a test has. The first test is that of the first class. No seed decides it.
+    pub fn core(classes: &[Self], rows: impl Fn(&T) -> u64) -> Self {
+        let mut tests = Vec::new();
+        for (n, Self { tests: all, .. }) in classes.iter().enumerate() {
+            // What one class does not use is left to those after it.
+            let used: u64 = tests.iter().map(&rows).sum();
+            let share = CORE_ROWS.saturating_sub(used) / (classes.len() - n) as u64;
+            let whole: u64 = all.iter().map(&rows).sum();
+            let mut taken = 0;
+            let mut before = 0;
+            for test in all {
+                // Every part of the class in proportion.
+                let due = u128::from(before) * u128::from(share) / u128::from(whole.max(1));
+                before += rows(test);
+                if u128::from(taken) <= due && taken + rows(test) <= share.max(1) {
+                    taken += rows(test);
+                    tests.push(test.clone());
+                }
+            }
+        }
+        Self { class: CORE, tests }
+    }
 }
 
 /// The 64-bit golden ratio, the increment of SplitMix64.

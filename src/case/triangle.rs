@@ -1,21 +1,16 @@
 //! Triangles on the sub-pixel grid: directed classes and random ones. Spec clause `X-3`.
 
-use super::{Class, Words};
+use super::{Class, Directed, Words};
 use crate::profile::Profile;
 use crate::setup::Triangle;
-
-/// A directed class and its triangles.
-#[derive(Clone, Debug)]
-pub struct Directed {
-    /// What they are for.
-    pub class: Class,
-    /// The triangles, all inside the vertex field.
-    pub triangles: Vec<Triangle>,
-}
 
 /// The class of random triangles.
 pub const RANDOM: Class =
     Class { tag: "random", catches: "what nobody thought of: triangles of every size and shape" };
+
+/// The class of triangles searched for cells that the directed classes left open; no seed decides it.
+pub const CLOSING: Class =
+    Class { tag: "closing", catches: "combinations that no directed class meets: ties by octant and zone" };
 
 /// The class of the scene's own triangles.
 pub const SCENE: Class = Class { tag: "scene", catches: "what a real scene meets" };
@@ -27,6 +22,8 @@ pub struct Stimulus {
     pixel: i128,
     /// Bits that a slope's numerator is scaled by before it is divided.
     scale: u32,
+    /// Bits that the start's numerator is scaled by.
+    fraction: u32,
     centre: [i128; 2],
     window: [i128; 2],
     depth: Option<i128>,
@@ -40,6 +37,7 @@ impl Stimulus {
             range: profile.vertex.range(),
             pixel: 1 << profile.vertex.sub_pixel,
             scale: profile.vertex.sub_pixel + profile.depth.map_or(0, |depth| depth.interpolation),
+            fraction: profile.depth.map_or(0, |depth| depth.interpolation),
             centre: grid,
             window: [i128::from(profile.window.width), i128::from(profile.window.height)],
             depth: profile.depth.map(|_| i128::from(profile.depth_max())),
@@ -47,8 +45,9 @@ impl Stimulus {
     }
 
     /// The directed classes; what does not fit the vertex field is left out.
-    pub fn directed(&self) -> Vec<Directed> {
+    pub fn directed(&self) -> Vec<Directed<Triangle>> {
         [
+            self.all_bits(),
             self.zero_area(),
             self.shared_edges(),
             self.on_samples(),
@@ -57,13 +56,14 @@ impl Stimulus {
             self.ends(),
             self.remainders(),
             self.guard_boundary(),
+            self.beyond_window(),
         ]
         .into_iter()
         .map(|(tag, catches, list)| {
             let triangles = list.into_iter().filter_map(|(xy, z)| self.fit(xy, z)).collect();
-            Directed { class: Class { tag, catches }, triangles }
+            Directed { class: Class { tag, catches }, tests: triangles }
         })
-        .filter(|class| !class.triangles.is_empty())
+        .filter(|class| !class.tests.is_empty())
         .collect()
     }
 
@@ -88,6 +88,68 @@ impl Stimulus {
     /// The sample nearest the middle of the window's upper left part.
     fn middle(&self) -> [i128; 2] {
         std::array::from_fn(|axis| (self.window[axis].min(16) / 2) * self.pixel + self.centre[axis])
+    }
+
+    /// Vertices with every bit of their fields in use, each triangle's the complement of the one
+    /// before it: large ones, and small ones far from zero.
+    fn all_bits(&self) -> Kind {
+        let (low, high) = self.range;
+        let span = high - low;
+        // All ones of as many bits as the field holds.
+        let ones = (1i128 << (span + 1).ilog2()) - 1;
+        let stripes = super::walk::STRIPES.map(|stripe| stripe.cast_signed() & ones);
+        let mut list = Vec::new();
+        for n in 0..3 {
+            let [a, b, c] = [0, 1, 2].map(|k| stripes[(n + k) % 3]);
+            // Within the window too.
+            let [w, h] = self.window.map(|side| (1i128 << (side * self.pixel).ilog2()) - 1);
+            let p = self.pixel;
+            let small = [[a & w, b & h], [(a ^ (3 * p + 5)) & w, (b ^ 1) & h], [(a ^ 9) & w, (b ^ (2 * p + 3)) & h]];
+            for xy in [
+                [[a, b], [c, a], [b, ones ^ c]],
+                small.map(|v| v.map(|c| c - low)),
+            ] {
+                let z = self.depth.map_or(0, |maximum| maximum / 3);
+                let depths = [17 + z, 17 + 2 * z, 17 + z / 5];
+                list.push((xy.map(|v| v.map(|c| low + c)), depths));
+                // The complement of every bit, in the same order and turned.
+                let other = xy.map(|v| v.map(|c| high - c));
+                let depths = depths.map(|z| 17 + self.depth.map_or(0, |maximum| maximum - (z - 17)));
+                list.push((other, depths));
+                list.push(([xy[0], xy[2], xy[1]].map(|v| v.map(|c| low + c)), depths));
+            }
+        }
+        ("all-bits", "a bit that is not connected, a word of the last record that stays", list)
+    }
+
+    /// Small triangles across each side and each corner of the window, as far as the vertex field
+    /// reaches beyond it.
+    fn beyond_window(&self) -> Kind {
+        let (low, high) = self.range;
+        let p = self.pixel;
+        let reach = [4 * p, p];
+        let mut list = Vec::new();
+        let [w, h] = self.window.map(|side| side * p);
+        let middle = [w / 2, h / 2];
+        for [x, y] in [
+            [0, middle[1]],
+            [w, middle[1]],
+            [middle[0], 0],
+            [middle[0], h],
+            [0, 0],
+            [w, 0],
+            [0, h],
+            [w, h],
+        ] {
+            for reach in reach {
+                let at = |dx: i128, dy: i128| {
+                    [(x + dx * reach).clamp(low, high), (y + dy * reach).clamp(low, high)]
+                };
+                list.push(([at(-1, -1), at(1, -1), at(0, 1)], [0, 16, 8]));
+                list.push(([at(1, 1), at(-1, 1), at(-1, -1)], [16, 0, 8]));
+            }
+        }
+        ("beyond-window", "a column or row drawn beyond the window, or one before its side lost", list)
     }
 
     fn zero_area(&self) -> Kind {
@@ -217,6 +279,39 @@ impl Stimulus {
                 for z in [[17, 18, 17], [18, 17, 18], [17, 20, 18], [20, 17, 19]] {
                     list.push(([[x, y], b[axes], c[axes]], z));
                 }
+                // In every octant, with a start inside, below and above the depth range.
+                let top = self.depth.unwrap_or_default();
+                for base in [17 + 10.min(top), 17 + top / 2, 17 + (top - 10).max(0)] {
+                    for [b_z, c_z] in [[0, 1], [0, -1], [4, 3], [-4, -3]] {
+                        let z = [base, base + b_z, base + c_z];
+                        list.push(([[x, y], b[axes], c[axes]], z.map(|z| z.max(17))));
+                    }
+                }
+                // Every quotient mod 4 under a tie, of either sign.
+                for odd in [1, 3, 5, 7] {
+                    for z in [[27, 27, 27 - odd], [27, 27, 27 + odd], [27, 26, 26 + odd]] {
+                        list.push(([[x, y], b[axes], c[axes]], z));
+                    }
+                }
+            }
+        }
+        // The start's numerator is scaled by fewer bits: twice the area 2^(F + 1), at an odd distance
+        // from the sample of pixel (0, 0).
+        let ties = self.fraction + 1;
+        let (p, q) = (1i128 << ties.div_ceil(2), 1i128 << (ties / 2));
+        let odd = self.centre.map(|offset| 1 - offset.rem_euclid(2));
+        let [x, y] = [0, 1].map(|axis| (self.window[axis] * self.pixel / 2 & !1) + odd[axis]);
+        for ([x, y], [dx, dy]) in
+            [([x, y], [1, 1]), ([x, y], [-1, -1]), (odd, [1, 1]), ([x, y], [1, -1]), ([x, y], [-1, 1])]
+        {
+            let at = |u: i128, v: i128| [[x + dx * u, y + dy * v], [x + dx * v, y + dy * u]];
+            let (b, c) = (at(p, 1), at(p, 1 + q));
+            for axes in 0..2 {
+                for step in [1, 3, 5, 7] {
+                    for z in [[27, 27, 27 - step], [27, 27, 27 + step], [28, 28, 28 + step]] {
+                        list.push(([[x, y], b[axes], c[axes]], z));
+                    }
+                }
             }
         }
         ("every-remainder", "a rounding other than the profile's, ties above all", list)
@@ -239,6 +334,39 @@ impl Stimulus {
             "a missing guard bit: covered samples just outside the depth range",
             list,
         )
+    }
+
+    /// A triangle that may close what the directed classes left open: small, or with an area that makes
+    /// ties, anywhere in the window and of any depths.
+    pub fn closing(&self, mut words: Words) -> Triangle {
+        let bounded = |words: &mut Words, high: i128| words.between(0, within_i64(high));
+        let (low, high) = self.range;
+        let corner: [i128; 2] =
+            std::array::from_fn(|axis| bounded(&mut words, self.window[axis] * self.pixel));
+        let xy = match bounded(&mut words, 2) {
+            0 => std::array::from_fn(|_| corner.map(|at| at + bounded(&mut words, 8))),
+            kind => {
+                let ties = if kind == 1 { self.scale } else { self.fraction } + 1;
+                let (p, q) = (1i128 << ties.div_ceil(2), 1i128 << (ties / 2));
+                let [dx, dy] = [(); 2].map(|()| 1 - 2 * bounded(&mut words, 1));
+                let turned = bounded(&mut words, 1) == 1;
+                let [x, y] = corner;
+                let at = |u: i128, v: i128| {
+                    let [u, v] = if turned { [v, u] } else { [u, v] };
+                    [x + dx * u, y + dy * v]
+                };
+                [[x, y], at(p, 1), at(p, 1 + q)]
+            }
+        };
+        let z = self.depth.map(|maximum| {
+            std::array::from_fn(|_| {
+                let bits = i128::from(i128::BITS - maximum.leading_zeros());
+                let size = maximum >> bounded(&mut words, bits - 1);
+                let part = bounded(&mut words, size);
+                if bounded(&mut words, 1) == 0 { part } else { maximum - part }
+            })
+        });
+        Triangle { xy: xy.map(|v: [i128; 2]| v.map(|c| c.clamp(low, high))), z }
     }
 
     /// A random triangle; `reach` bounds its extent in pixels when given.

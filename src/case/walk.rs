@@ -1,7 +1,7 @@
 //! Walks of a planar DDA or an edge stepper: directed ones aimed at the boundaries of the word and
 //! of its read-out, and random ones. Spec clause `X-2`.
 
-use super::{Class, Words};
+use super::{Class, Directed, Words};
 use crate::dda::Op;
 use crate::format::ReadOut;
 
@@ -74,15 +74,6 @@ impl Walk {
     }
 }
 
-/// A directed class and its walks.
-#[derive(Clone, Debug)]
-pub struct Directed {
-    /// What they are for.
-    pub class: Class,
-    /// The walks.
-    pub walks: Vec<Walk>,
-}
-
 /// The ends of an N-bit signed word.
 fn ends(width: u32) -> (i128, i128) {
     let half = 1 << (width - 1);
@@ -94,7 +85,7 @@ fn back_and_forth(init: i128, step: i128) -> Walk {
 }
 
 /// Starts and slopes at both ends of the word, and at what `marks` holds.
-fn range_ends(width: u32, marks: &[i128]) -> Directed {
+fn range_ends(width: u32, marks: &[i128]) -> Directed<Walk> {
     let (low, high) = ends(width);
     let mut walks = Vec::new();
     for &init in [low, low + 1, -1, 0, 1, high - 1, high].iter().chain(marks) {
@@ -103,11 +94,11 @@ fn range_ends(width: u32, marks: &[i128]) -> Directed {
         }
     }
     let catches = "registers a bit short, sign extension, swapped slopes";
-    Directed { class: Class { tag: "range-ends", catches }, walks }
+    Directed { class: Class { tag: "range-ends", catches }, tests: walks }
 }
 
 /// Sums that reach 2^N and 2^(N-1), and miss them by one.
-fn wrap(width: u32) -> Directed {
+fn wrap(width: u32) -> Directed<Walk> {
     let (low, high) = ends(width);
     let mut walks = Vec::new();
     for init in [high / 3, -high / 3, high / 2 + 1] {
@@ -118,11 +109,11 @@ fn wrap(width: u32) -> Directed {
         }
     }
     let catches = "an adder that saturates or carries into the guard bits instead of wrapping";
-    Directed { class: Class { tag: "wrap", catches }, walks }
+    Directed { class: Class { tag: "wrap", catches }, tests: walks }
 }
 
 /// The widest slopes in both directions.
-fn widest(width: u32) -> Directed {
+fn widest(width: u32) -> Directed<Walk> {
     let (low, high) = ends(width);
     let mut walks = Vec::new();
     for dx in [low, low + 1, high, high - 1] {
@@ -133,15 +124,15 @@ fn widest(width: u32) -> Directed {
         }
     }
     let catches = "slopes cut short, a hold that steps";
-    Directed { class: Class { tag: "widest-slopes", catches }, walks }
+    Directed { class: Class { tag: "widest-slopes", catches }, tests: walks }
 }
 
 /// A direction in each octant, x to the right and y down.
-const DIRECTIONS: [[i128; 2]; 8] =
+pub(super) const DIRECTIONS: [[i128; 2]; 8] =
     [[2, 1], [1, 2], [-1, 2], [-2, 1], [-2, -1], [-1, -2], [1, -2], [2, -1]];
 
 /// Walks in every octant from each of `starts`, by steps of `unit`.
-fn every_octant(starts: &[i128], unit: i128) -> Directed {
+fn every_octant(starts: &[i128], unit: i128) -> Directed<Walk> {
     let mut walks = Vec::new();
     for [dx, dy] in DIRECTIONS {
         for &init in starts {
@@ -150,11 +141,41 @@ fn every_octant(starts: &[i128], unit: i128) -> Directed {
         }
     }
     let catches = "a combination of slope signs, zone and remainder that goes its own way";
-    Directed { class: Class { tag: "every-octant", catches }, walks }
+    Directed { class: Class { tag: "every-octant", catches }, tests: walks }
+}
+
+/// Alternating bits, and alternating pairs and fours of bits.
+pub(super) const STRIPES: [u128; 3] = [u128::MAX / 3, u128::MAX / 5, u128::MAX / 17];
+
+/// Words with every bit in use, each walk's the complement of those before it.
+fn all_bits(width: u32) -> Directed<Walk> {
+    let word = |pattern: u128| pattern.cast_signed() << (128 - width) >> (128 - width);
+    let mut walks = Vec::new();
+    for n in 0..6 {
+        for flip in [0, u128::MAX] {
+            let [init, dx, dy] = [0, 1, 2].map(|k| word(STRIPES[(n + k) % 3] << (k % 2) ^ flip));
+            let pattern = [Pattern::Pairs, Pattern::Held][n % 2];
+            walks.push(Walk { init, dx, dy, pattern, rows: 6 });
+        }
+    }
+    let catches = "a bit that is not connected, a word of the last record that stays";
+    Directed { class: Class { tag: "all-bits", catches }, tests: walks }
+}
+
+/// Starts and slopes that carry through every bit, and stop one short of it.
+fn carries(width: u32) -> Directed<Walk> {
+    let mut walks = Vec::new();
+    for bit in 1..width {
+        let below = (1i128 << bit) - 1;
+        walks.push(Walk { init: below, dx: 1, dy: -1, pattern: Pattern::Pairs, rows: 4 });
+        walks.push(Walk { init: below + 1, dx: -1, dy: below, pattern: Pattern::Pairs, rows: 4 });
+    }
+    let catches = "a carry or a borrow that is lost between two bits, a field cut off";
+    Directed { class: Class { tag: "carries", catches }, tests: walks }
 }
 
 /// Directed walks for a depth DDA.
-pub fn depth(read: ReadOut) -> Vec<Directed> {
+pub fn depth(read: ReadOut) -> Vec<Directed<Walk>> {
     let (width, fraction) = (read.width(), read.fraction());
     let half = 1i128 << (read.integer() + fraction - 1);
     // The guard split whatever the mode: a wrong decode shows at these values.
@@ -177,7 +198,7 @@ pub fn depth(read: ReadOut) -> Vec<Directed> {
         }
     }
     let catches = "a wrong guard decode: every guard pattern, and each boundary from both sides";
-    let guard = Directed { class: Class { tag: "guard-boundary", catches }, walks: guard };
+    let guard = Directed { class: Class { tag: "guard-boundary", catches }, tests: guard };
     // All remainders of a narrow fraction, the top six bits of a wide one, each side of a step.
     let fine = fraction.min(6);
     let step = 1i128 << (fraction - fine);
@@ -196,7 +217,7 @@ pub fn depth(read: ReadOut) -> Vec<Directed> {
         .collect();
     let catches = "a read-out that rounds, or drops the wrong number of bits";
     let remainders =
-        Directed { class: Class { tag: "every-remainder", catches }, walks: remainders };
+        Directed { class: Class { tag: "every-remainder", catches }, tests: remainders };
     // Inside, above and below, with nothing dropped, less than a half, a half, more.
     let one = 1i128 << fraction;
     let starts: Vec<i128> = [half, read.top() + half.min(4 * one), -4 * one]
@@ -204,11 +225,20 @@ pub fn depth(read: ReadOut) -> Vec<Directed> {
         .flat_map(|zone| [0, one / 4, one / 2, one - 1].map(|rest| zone + rest))
         .collect();
     let octants = every_octant(&starts, one);
-    vec![range_ends(width, &boundaries), guard, wrap(width), widest(width), remainders, octants]
+    vec![
+        all_bits(width),
+        range_ends(width, &boundaries),
+        guard,
+        wrap(width),
+        carries(width),
+        widest(width),
+        remainders,
+        octants,
+    ]
 }
 
 /// Directed walks for an edge stepper.
-pub fn edge(width: u32) -> Vec<Directed> {
+pub fn edge(width: u32) -> Vec<Directed<Walk>> {
     let mut walks = Vec::new();
     for init in -2..=2 {
         for dx in -2..=2 {
@@ -218,9 +248,17 @@ pub fn edge(width: u32) -> Vec<Directed> {
         }
     }
     let catches = "a sample on the edge put on the wrong side: sign test, tie rule, bias";
-    let crossing = Directed { class: Class { tag: "sample-on-edge", catches }, walks };
+    let crossing = Directed { class: Class { tag: "sample-on-edge", catches }, tests: walks };
     let octants = every_octant(&[-2, -1, 0, 1], 1);
-    vec![range_ends(width, &[]), crossing, wrap(width), widest(width), octants]
+    vec![
+        all_bits(width),
+        range_ends(width, &[]),
+        crossing,
+        wrap(width),
+        carries(width),
+        widest(width),
+        octants,
+    ]
 }
 
 /// The class of random walks.

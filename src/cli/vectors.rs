@@ -177,9 +177,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             .filter(|file| !file.columns.is_empty())
             .map(|file| file.rows)
             .sum();
-        let holes: usize = manifest.coverage.iter().map(|entry| entry.holes.len()).sum();
+        let open: usize = manifest.coverage.iter().map(|entry| entry.open.len()).sum();
         output.line(format!(
-            "{}: {tests} tests, {rows} rows, {} files, {holes} coverage holes (listed in {})",
+            "{}: {tests} tests, {rows} rows, {} files, {open} coverage cells open (listed in {})",
             folder.display(),
             manifest.files.len() + 1,
             guardbit::vector::manifest::NAME

@@ -14,12 +14,13 @@ mod triangles;
 mod walk;
 mod word;
 
-pub use coverage::{Cell, Coverage, Shape};
+pub use coverage::{Cell, Cells, Coverage, Goal, Reason, Shape, Unreachable};
 pub use files::{Answers, RegisterAnswers, ShapeAnswers, Single, TriangleAnswers};
 pub use register::{RegisterBench, RegisterTest};
 pub use rig::{Rig, Run, TestBench};
 pub use setup::{SetupBench, SetupTest};
 pub use shape::{ShapeBench, ShapeKind, ShapeTest};
+pub(in crate::vector) use triangle::word_engine;
 pub use triangle::{TriangleBench, TriangleTest};
 pub(in crate::vector) use walk::read_out;
 pub use walk::{WalkBench, WalkKind, WalkTest};
@@ -92,6 +93,9 @@ pub trait Bench: Suspects + Send + Sync {
 
     /// Which coverage cells the bench can meet.
     fn shape(&self) -> Shape;
+
+    /// What it should meet beside the cells of its shape, and which of all these nothing can meet.
+    fn goals(&self) -> Vec<Goal>;
 
     /// The stimulus of a test in words, for a person.
     fn describe(&self, at: TestAt) -> String;

@@ -1,6 +1,6 @@
 //! `manifest.json`: what a set is, written last. Spec clauses `N-8` to `N-10`.
 
-use super::bench::Cell;
+use super::bench::{Cell, Unreachable};
 use crate::format::Column;
 use crate::profile::Profile;
 use serde::{Deserialize, Serialize};
@@ -9,8 +9,8 @@ use sha2::{Digest, Sha256};
 /// File name of the manifest.
 pub const NAME: &str = "manifest.json";
 
-/// The schema version of manifests: 2 since columns are named by [`crate::format::Role`].
-pub const SCHEMA: u32 = 2;
+/// The schema version of manifests: 3 since cells are hit, unreachable or open.
+pub const SCHEMA: u32 = 3;
 
 /// Everything about a set; no time, host or path.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -106,10 +106,12 @@ pub struct GroupEntry {
 pub struct CoverageEntry {
     /// Bench.
     pub bench: String,
-    /// `octant.zone.remainder` cells with rows.
+    /// Cells with rows: `octant.zone.remainder`, and the goals of the bench.
     pub cells: Vec<Cell>,
-    /// Cells without.
-    pub holes: Vec<String>,
+    /// Cells that nothing can hit, each with the bound that shows it.
+    pub unreachable: Vec<Unreachable>,
+    /// Cells that something could hit and nothing did.
+    pub open: Vec<String>,
 }
 
 impl Manifest {

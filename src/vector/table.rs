@@ -66,6 +66,11 @@ impl Table {
         Self { format, columns: columns.to_vec(), digits, masks, buffer, rows: 0 }
     }
 
+    /// Its columns.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
+    }
+
     /// Appends a row of words; what lies above a column's width is dropped.
     ///
     /// # Panics

@@ -489,16 +489,43 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
         let (mut spans, mut depths) =
             (set.rows("span.exp.tv").into_iter(), { set.rows("depth.exp.tv").into_iter() });
         let groups = guardbit::vector::bench::Bench::groups(&bench).to_vec();
-        let mut covered = 0;
+        let (mut covered, mut worded) = (0, 0);
         for (test, (cfg, exp)) in setups.iter().zip(&exp).enumerate() {
             let triangle = bench.triangle_at(locate(&groups, test as u64).unwrap());
-            let (xy, z) = (triangle.xy, triangle.z.unwrap());
             let place = format!("{} test {test} {triangle:?}", profile.name);
-            let zero_area = exact::edge_value(xy[0], xy[1], xy[2]) == exact::integer(0);
-            let plane = if zero_area { [0; 3] } else { exact_plane(&profile, xy, z) };
+            // Words of their own: what the row of the set says they are, sign by sign.
+            let words = |first: usize, width: u32| {
+                let word = |k: usize| (cfg[first + k] << (128 - width)).cast_signed() >> (128 - width);
+                [0, 1, 2].map(word)
+            };
+            let (zero_area, plane) = match &triangle {
+                Some(Triangle { xy, z }) => {
+                    let zero_area = exact::edge_value(xy[0], xy[1], xy[2]) == exact::integer(0);
+                    let plane = exact_plane(&profile, *xy, z.unwrap());
+                    (zero_area, if zero_area { [0; 3] } else { plane })
+                }
+                None => {
+                    worded += 1;
+                    let depth = profile.depth.unwrap();
+                    (cfg[13] == 1, words(10, depth.guard + depth.integer + depth.interpolation))
+                }
+            };
+            let inside = |x: i128, y: i128| match &triangle {
+                Some(triangle) => exact::covers(triangle.xy, Point::from(grid.position(x, y)), rule),
+                None => (0..3).all(|k| {
+                    let width = profile.form.edge().unwrap().width;
+                    let [e, a, b] = words(1 + 3 * k, width);
+                    cfg[13] == 0 && (e + a * x + b * y) >> (width - 1) & 1 == 0
+                }),
+            };
             // wrap, clamp_above, clamp_below, inexact.
             let (mut counts, mut runs, mut samples) = ([0u128; 4], 0, 0);
             let range = |axis: usize| {
+                let Some(triangle) = &triangle else {
+                    let [.., y0, y1, x0, x1] = cfg[..] else { unreachable!() };
+                    let sides = if axis == 0 { [x0, x1] } else { [y0, y1] };
+                    return sides.map(u128::cast_signed);
+                };
                 let (low, high) = grid.pixels(axis, triangle.extent(axis));
                 [low.max(0), high.min(window[axis])]
             };
@@ -515,8 +542,7 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
             for y in y0..y1 {
                 let mut start = None;
                 for x in x0..=x1 {
-                    let sample = Point::from(grid.position(x, y));
-                    let inside = x < x1 && exact::covers(xy, sample, rule);
+                    let inside = x < x1 && inside(x, y);
                     match (inside, start) {
                         (true, None) => start = Some(x),
                         (false, Some(from)) => {
@@ -544,6 +570,7 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
         }
         assert_eq!((spans.next(), depths.next()), (None, None), "{}", profile.name);
         assert!(covered > 80, "{}: {covered} samples", profile.name);
+        assert_eq!(worded > 300, profile.plain_edges().is_some(), "{}: {worded}", profile.name);
     }
 }
 

@@ -190,7 +190,7 @@ fn recomputing_sees_through_a_manifest_made_to_fit() {
         ("groups", &|m| m.groups[0].tests += 1),
         ("groups", &|m| m.groups[2].catches = "nothing".to_owned()),
         ("coverage", &|m| m.coverage[0].cells[0].rows += 1),
-        ("coverage", &|m| m.coverage[0].holes.clear()),
+        ("coverage", &|m| m.coverage[0].cells.clear()),
         ("columns", &|m| m.files[0].columns[0].meaning = "Another.".to_owned()),
     ];
     for (what, change) in changes {

@@ -338,6 +338,17 @@ impl Drawer {
         [start + half, quotient(right, s + f), quotient(down, s + f)]
     }
 
+    /// Set-up words of their own, with the flag of no area, over a box: x0 y0 x1 y1.
+    pub(crate) fn draw_words(&self, setup: &[i128], [x0, y0, x1, y1]: [u32; 4]) -> Drawn {
+        let (words, flag) = setup.split_at(setup.len() - 1);
+        let zero_area = flag[0] != 0;
+        let mut drawn = Drawn { setup: words.to_vec(), zero_area, ..Drawn::default() };
+        if !zero_area {
+            self.fill_box([x0.into()..x1.into(), y0.into()..y1.into()], &mut drawn);
+        }
+        drawn
+    }
+
     fn fill(&self, v: [[i128; 2]; 3], drawn: &mut Drawn) {
         // Pixels of the window whose sample lies in the bounding box.
         let pixels = |axis: usize| {
@@ -347,12 +358,16 @@ impl Drawer {
             let first = (low - self.sample[axis] + pixel - 1).div_euclid(pixel).max(0);
             first..(high - self.sample[axis]).div_euclid(pixel).min(self.window[axis] - 1) + 1
         };
+        self.fill_box([pixels(0), pixels(1)], drawn);
+    }
+
+    fn fill_box(&self, [columns, rows]: [std::ops::Range<i128>; 2], drawn: &mut Drawn) {
         let words = drawn.setup.clone();
         let at = |n: usize, x: i128, y: i128| words[n] + words[n + 1] * x + words[n + 2] * y;
-        for y in pixels(1) {
+        for y in rows {
             let mut run: Option<[i128; 2]> = None;
             let mut runs = Vec::new();
-            for x in pixels(0) {
+            for x in columns.clone() {
                 let inside = [0, 3, 6].into_iter().all(|n| extend(at(n, x, y), self.width) >= 0);
                 if inside {
                     run = Some([run.map_or(x, |[x0, _]| x0), x + 1]);
@@ -411,7 +426,10 @@ impl Device<SetupTest> for Drawer {
 impl Device<TriangleTest> for Drawer {
     /// Runs and depths; it counts nothing.
     fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
-        let drawn = self.draw(&test.triangle);
+        let drawn = match &test.triangle {
+            Some(triangle) => self.draw(triangle),
+            None => self.draw_words(&test.setup, test.bounds),
+        };
         let number = i128::from(test.test);
         for [y, x0, x1] in drawn.spans {
             rows.spans.push(&[number, y, x0, x1]);

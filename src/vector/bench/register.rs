@@ -3,11 +3,11 @@
 use super::rig::NoFiles;
 use super::word::place_columns;
 use super::{
-    Bench, Coverage, FileSpec, Group, RegisterAnswers, Rig, Run, Shape, Source, TestAt, TestBench,
+    Bench, Coverage, FileSpec, Goal, Group, RegisterAnswers, Rig, Run, Shape, Source, TestAt, TestBench,
     cut,
 };
-use crate::case::triangle::{self, Directed, Stimulus as Cases};
-use crate::case::{Class, Words, place};
+use crate::case::triangle::{self, Stimulus as Cases};
+use crate::case::{Class, Directed, Words, place};
 use crate::format::Column;
 use crate::machine::{Registers, columns};
 use crate::model::Model;
@@ -56,7 +56,7 @@ impl Stimulus for RegisterTest {
 pub struct RegisterBench {
     model: Arc<Model>,
     registers: Registers,
-    directed: Arc<Vec<Directed>>,
+    directed: Arc<Vec<Directed<Triangle>>>,
     scene: Arc<Vec<Triangle>>,
     /// Word, lowest bit and bits of each field.
     fields: Arc<Vec<(usize, u32, u32)>>,
@@ -81,14 +81,19 @@ impl RegisterBench {
         };
         let mut directed = stimulus.directed();
         for class in &mut directed {
-            class.triangles.retain(&small);
+            class.tests.retain(&small);
         }
-        directed.retain(|class| !class.triangles.is_empty());
+        directed.retain(|class| !class.tests.is_empty());
+        let rows = |triangle: &Triangle| {
+            let words = model.host(triangle);
+            words.first().map_or(1, |w| records(&model, w, RegisterTest::LARGEST).total + 1)
+        };
+        directed.insert(0, Directed::core(&directed, rows));
         let scene: Vec<Triangle> = source.scene.iter().copied().filter(small).collect();
         let share = source.count / ROWS_PER_TEST;
         let mut groups: Vec<Group> = directed
             .iter()
-            .map(|class| Group { class: class.class, tests: class.triangles.len() as u64 })
+            .map(|class| Group { class: class.class, tests: class.tests.len() as u64 })
             .collect();
         let input = &registers.input;
         let fields: Vec<_> = (0..input.len())
@@ -151,7 +156,7 @@ impl RegisterBench {
     fn words(&self, at: TestAt) -> Vec<u32> {
         let index = place(at.index);
         if let Some(class) = self.directed.get(at.group) {
-            return self.host(&class.triangles[index]);
+            return self.host(&class.tests[index]);
         }
         match at.group - self.directed.len() {
             0 => self.host(&self.scene[index % self.scene.len()]),
@@ -208,9 +213,8 @@ impl TestBench for RegisterBench {
         RegisterTest { test: at.test, words: self.words(at) }
     }
 
-    fn configure(&self, test: &RegisterTest, cfg: &mut Table) {
-        let words = test.words.iter().copied().map(i128::from);
-        cfg.push(&std::iter::once(i128::from(test.test)).chain(words).collect::<Vec<_>>());
+    fn words(&self, test: &RegisterTest) -> Vec<i128> {
+        std::iter::once(i128::from(test.test)).chain(test.words.iter().copied().map(i128::from)).collect()
     }
 
     fn tables(&self, format: RowFormat) -> (Table, RegisterAnswers<Table>) {
@@ -245,6 +249,10 @@ impl Bench for RegisterBench {
 
     fn shape(&self) -> Shape {
         Shape::NONE
+    }
+
+    fn goals(&self) -> Vec<Goal> {
+        super::rig::RECORDS.map(Goal::new).to_vec()
     }
 
     fn describe(&self, at: TestAt) -> String {

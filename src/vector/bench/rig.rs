@@ -12,8 +12,8 @@ pub trait TestBench: Bench + Sized {
     /// The stimulus of a test; `limit` cuts the rows of a walk.
     fn test(&self, at: TestAt, limit: u64) -> Self::Test;
 
-    /// Writes the row of the configuration file that drives the test.
-    fn configure(&self, test: &Self::Test, cfg: &mut Table);
+    /// The row of the configuration file that drives the test.
+    fn words(&self, test: &Self::Test) -> Vec<i128>;
 
     /// Empty tables: of the configuration, and of the expectations.
     fn tables(&self, format: RowFormat) -> (Table, <Self::Test as Stimulus>::Rows);
@@ -38,20 +38,46 @@ pub struct Rig<'b, B: TestBench> {
     cfg: Table,
     rows: <B::Test as Stimulus>::Rows,
     met: Coverage,
+    /// The configuration of the test before.
+    last: Vec<i128>,
 }
+
+/// Goals of every bench: a first record whose words all have ones in them, and a record that differs
+/// in every word from the one before it.
+pub(super) const RECORDS: [&str; 2] = ["record.first-in-use", "record.differs-in-every-word"];
 
 impl<'b, B: TestBench> Rig<'b, B> {
     /// A device after its reset.
     pub fn new(bench: &'b B, device: Box<dyn Device<B::Test> + 'b>, format: RowFormat) -> Self {
         let (cfg, rows) = bench.tables(format);
-        Self { bench, device, cfg, rows, met: Coverage::default() }
+        Self { bench, device, cfg, rows, met: Coverage::default(), last: Vec::new() }
+    }
+}
+
+impl<B: TestBench> Rig<'_, B> {
+    /// Counts what one record is to the one before it; flags and numbers of tests may stay.
+    fn note(&mut self, words: Vec<i128>) {
+        let [first, differs] = RECORDS;
+        let width = |n: usize| self.cfg.columns()[n].width;
+        let in_use = |(n, word): (usize, &i128)| width(n) == 1 || *word != 0;
+        // The number of the first test is zero.
+        if self.last.is_empty() && words.iter().enumerate().filter(|(n, _)| width(*n) != 32).all(in_use) {
+            self.met.meet(first);
+        }
+        let changed = |(n, (a, b)): (usize, (&i128, &i128))| width(n) == 1 || a != b;
+        if !self.last.is_empty() && words.iter().zip(&self.last).enumerate().all(changed) {
+            self.met.meet(differs);
+        }
+        self.last = words;
     }
 }
 
 impl<B: TestBench> Run for Rig<'_, B> {
     fn run(&mut self, at: TestAt, limit: u64) {
         let test = self.bench.test(at, limit);
-        self.bench.configure(&test, &mut self.cfg);
+        let words = self.bench.words(&test);
+        self.cfg.push(&words);
+        self.note(words);
         self.device.answer(&test, &mut self.rows, &mut self.met);
     }
 

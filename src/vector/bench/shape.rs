@@ -6,7 +6,7 @@ mod stimulus;
 use super::rig::NoFiles;
 use super::word::{PIXEL, RUN, place_columns};
 use super::{
-    Bench, Coverage, FileSpec, Group, Rig, Run, Shape, ShapeAnswers, Source, TestAt, TestBench, cut,
+    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, ShapeAnswers, Source, TestAt, TestBench, cut,
 };
 use crate::case::triangle::RANDOM;
 use crate::case::{Class, place};
@@ -181,9 +181,8 @@ impl TestBench for ShapeBench {
         ShapeTest { test: at.test, words: self.words(at) }
     }
 
-    fn configure(&self, test: &ShapeTest, cfg: &mut Table) {
-        let words = test.words.iter().copied();
-        cfg.push(&std::iter::once(i128::from(test.test)).chain(words).collect::<Vec<_>>());
+    fn words(&self, test: &ShapeTest) -> Vec<i128> {
+        std::iter::once(i128::from(test.test)).chain(test.words.iter().copied()).collect()
     }
 
     fn tables(&self, format: RowFormat) -> (Table, ShapeAnswers<Table>) {
@@ -218,6 +217,10 @@ impl Bench for ShapeBench {
 
     fn shape(&self) -> Shape {
         Shape::NONE
+    }
+
+    fn goals(&self) -> Vec<Goal> {
+        super::rig::RECORDS.map(Goal::new).to_vec()
     }
 
     fn describe(&self, at: TestAt) -> String {

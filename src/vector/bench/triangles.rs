@@ -1,14 +1,24 @@
 //! The triangles of a bench: directed classes, those of the scene, random ones.
 
 use super::{Group, Source, TestAt, cut};
-use crate::case::triangle::{self, Directed, Stimulus};
-use crate::case::{Words, place};
+use crate::case::engine::Drawn;
+use crate::case::triangle::{self, Stimulus};
+use crate::case::{Directed, Words, place};
 use crate::setup::Triangle;
+
+/// What a test gives.
+#[derive(Clone, Debug)]
+pub(super) enum Given {
+    /// Vertices.
+    Triangle(Triangle),
+    /// Set-up words that no vertices need give.
+    Words(Drawn),
+}
 
 /// Triangles by test.
 #[derive(Clone, Debug)]
 pub(super) struct Triangles {
-    directed: Vec<Directed>,
+    directed: Vec<Directed<Given>>,
     scene: Vec<Triangle>,
     stimulus: Stimulus,
     seed: u64,
@@ -28,14 +38,27 @@ pub(super) struct Random {
 }
 
 impl Triangles {
-    /// Those that `fits` accepts.
-    pub(super) fn new(source: &Source, random: Random, fits: impl Fn(&Triangle) -> bool) -> Self {
+    /// Those that `fits` accepts, with set-up words before them and `more` after the directed classes;
+    /// `rows` says how many rows a directed test has.
+    pub(super) fn new(
+        source: &Source,
+        random: Random,
+        (words, more): (Vec<Directed<Drawn>>, Option<Directed<Triangle>>),
+        fits: impl Fn(&Triangle) -> bool,
+        rows: impl Fn(&Given) -> u64,
+    ) -> Self {
         let stimulus = Stimulus::new(&source.profile);
-        let mut directed = stimulus.directed();
-        for class in &mut directed {
-            class.triangles.retain(&fits);
-        }
-        directed.retain(|class| !class.triangles.is_empty());
+        let words = words.into_iter().map(|class| Directed {
+            class: class.class,
+            tests: class.tests.into_iter().map(Given::Words).collect(),
+        });
+        let triangles = stimulus.directed().into_iter().chain(more).map(|class| Directed {
+            class: class.class,
+            tests: class.tests.into_iter().filter(&fits).map(Given::Triangle).collect(),
+        });
+        let mut directed: Vec<Directed<Given>> = words.chain(triangles).collect();
+        directed.retain(|class| !class.tests.is_empty());
+        directed.insert(0, Directed::core(&directed, rows));
         // The columns of a vertex hold zeros where the scene has no depth: so it has a depth of 0.
         let flat = source.profile.depth.map(|_| [0; 3]);
         let with_depth = |triangle: &Triangle| Triangle { z: triangle.z.or(flat), ..*triangle };
@@ -43,7 +66,7 @@ impl Triangles {
         let share = source.count / random.rows_per_test;
         let mut groups: Vec<Group> = directed
             .iter()
-            .map(|class| Group { class: class.class, tests: class.triangles.len() as u64 })
+            .map(|class| Group { class: class.class, tests: class.tests.len() as u64 })
             .collect();
         groups.push(Group { class: triangle::SCENE, tests: share.min(scene.len() as u64) });
         groups.push(Group { class: triangle::RANDOM, tests: share });
@@ -55,27 +78,36 @@ impl Triangles {
         &self.groups
     }
 
-    /// The vertices of a test.
-    pub(super) fn at(&self, at: TestAt) -> Triangle {
+    /// What a test gives.
+    pub(super) fn at(&self, at: TestAt) -> Given {
         if let Some(class) = self.directed.get(at.group) {
-            return class.triangles[place(at.index)];
+            return class.tests[place(at.index)].clone();
         }
-        if at.group == self.directed.len() {
-            return self.scene[scattered(at.index, self.scene.len())];
-        }
-        let words = Words::new(self.seed, self.random.class, at.index);
-        self.stimulus.random(words, self.random.reach)
+        Given::Triangle(if at.group == self.directed.len() {
+            self.scene[scattered(at.index, self.scene.len())]
+        } else {
+            let words = Words::new(self.seed, self.random.class, at.index);
+            self.stimulus.random(words, self.random.reach)
+        })
     }
+}
 
+impl Given {
     /// In words, for a person.
-    pub(super) fn describe(&self, at: TestAt) -> String {
-        let Triangle { xy, z } = self.at(at);
-        let vertex = |(n, [x, y]): (usize, [i128; 2])| {
-            let z = z.map_or_else(String::new, |z| format!(", {}", z[n]));
-            format!(" ({x}, {y}{z})")
-        };
-        let vertices: String = xy.into_iter().enumerate().map(vertex).collect();
-        format!("triangle{vertices} in sub-pixels and depth codes")
+    pub(super) fn describe(&self) -> String {
+        match self {
+            Self::Triangle(Triangle { xy, z }) => {
+                let vertex = |(n, [x, y]): (usize, &[i128; 2])| {
+                    let z = z.map_or_else(String::new, |z| format!(", {}", z[n]));
+                    format!(" ({x}, {y}{z})")
+                };
+                let vertices: String = xy.iter().enumerate().map(vertex).collect();
+                format!("triangle{vertices} in sub-pixels and depth codes")
+            }
+            Self::Words(Drawn { bounds: [x0, y0, x1, y1], .. }) => {
+                format!("set-up words over the box x {x0} to {x1}, y {y0} to {y1}")
+            }
+        }
     }
 }
 

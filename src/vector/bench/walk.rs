@@ -1,9 +1,9 @@
 //! The `dda` and `edge` benches: a planar DDA with its read-out, and an edge stepper.
 
 use super::rig::OperandRig;
-use super::{Bench, FileSpec, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench};
-use crate::case::walk::{self, Directed, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
-use crate::case::{Words, place};
+use super::{Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench};
+use crate::case::walk::{self, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
+use crate::case::{Directed, Words, place};
 use crate::cover::SampleGrid;
 use crate::format::{Clamp, ReadOut, Role, WordFormat};
 use crate::profile::Profile;
@@ -40,7 +40,7 @@ pub struct WalkBench {
     kind: WalkKind,
     /// The accumulator and its read-out; of an edge word only the width counts.
     read: ReadOut,
-    directed: Vec<Directed>,
+    directed: Vec<Directed<Walk>>,
     scene: Vec<SceneWalk>,
     profile: Profile,
     grid: SampleGrid,
@@ -65,10 +65,11 @@ impl WalkBench {
         let grid = profile.grid().ok()?;
         let depth = depth_of(profile);
         let read = read_out(kind, profile)?;
-        let directed = match kind {
+        let mut directed = match kind {
             WalkKind::Depth => walk::depth(read),
             WalkKind::Edge => walk::edge(read.width()),
         };
+        directed.insert(0, Directed::core(&directed, |walk| walk.rows.into()));
         let planes = |triangle: &Triangle| match kind {
             WalkKind::Depth => {
                 let plane = depth.zip(triangle.z).map(|(d, z)| d.plane(triangle, z, &grid));
@@ -89,14 +90,14 @@ impl WalkBench {
             .filter(|walk| !walk.planes.is_empty())
             .collect();
         let directed_rows: u64 =
-            directed.iter().flat_map(|class| &class.walks).map(|walk| u64::from(walk.rows)).sum();
+            directed.iter().flat_map(|class| &class.tests).map(|walk| u64::from(walk.rows)).sum();
         let rest = source.count.saturating_sub(directed_rows);
         // Half of what is left walks along the scene, the rest is random; the last walk is cut.
         let scene_walks = if scene.is_empty() { 0 } else { rest / 2 / u64::from(SCENE_ROWS) };
         let random_rows = rest - scene_walks * u64::from(SCENE_ROWS);
         let mut groups: Vec<Group> = directed
             .iter()
-            .map(|class| Group { class: class.class, tests: class.walks.len() as u64 })
+            .map(|class| Group { class: class.class, tests: class.tests.len() as u64 })
             .collect();
         groups.push(Group { class: walk::SCENE, tests: scene_walks });
         groups.push(Group {
@@ -165,7 +166,7 @@ impl WalkBench {
 
     fn walk(&self, at: TestAt) -> Walk {
         if let Some(class) = self.directed.get(at.group) {
-            return class.walks[place(at.index)];
+            return class.tests[place(at.index)];
         }
         if at.group == self.directed.len() {
             return self.scene_walk(at.index);
@@ -212,8 +213,8 @@ impl TestBench for WalkBench {
         WalkTest { walk, rows: u32::try_from(limit).map_or(walk.rows, |most| walk.rows.min(most)) }
     }
 
-    fn configure(&self, test: &WalkTest, cfg: &mut Table) {
-        cfg.push(&[test.walk.init, test.walk.dx, test.walk.dy]);
+    fn words(&self, test: &WalkTest) -> Vec<i128> {
+        vec![test.walk.init, test.walk.dx, test.walk.dy]
     }
 
     fn tables(&self, format: RowFormat) -> (Table, Single<Table>) {
@@ -237,7 +238,7 @@ impl Bench for WalkBench {
 
     fn rows(&self, at: TestAt) -> Option<u64> {
         Some(match self.directed.get(at.group) {
-            Some(class) => u64::from(class.walks[place(at.index)].rows),
+            Some(class) => u64::from(class.tests[place(at.index)].rows),
             None if at.group == self.directed.len() => u64::from(SCENE_ROWS),
             None => u64::from(RANDOM_ROWS),
         })
@@ -275,6 +276,23 @@ impl Bench for WalkBench {
                 Shape::of_bits([true, above, below], self.read.fraction())
             }
         }
+    }
+
+    fn goals(&self) -> Vec<Goal> {
+        let mut goals = super::rig::RECORDS.map(Goal::new).to_vec();
+        if self.kind == WalkKind::Depth {
+            // A sticky accumulator stays within the integer range.
+            let sticky = self.read.clamp() == Clamp::Saturate;
+            goals.extend(Coverage::guard_goals(self.read.guard()).into_iter().map(|goal| {
+                if sticky && !goal.cell.ends_with(&"0".repeat(self.read.guard().min(6) as usize)) {
+                    let top = self.read.top();
+                    Goal::never(goal.cell, "G-5", format!("0 <= accumulator < {top} = 2^(i+F)"))
+                } else {
+                    goal
+                }
+            }));
+        }
+        goals
     }
 
     fn describe(&self, at: TestAt) -> String {

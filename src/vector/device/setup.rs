@@ -1,6 +1,7 @@
 //! The reference model of the set-up: vertices in, set-up words out.
 
 use super::Device;
+use crate::format::Role;
 use crate::model::{Drawing, Model};
 use crate::setup::{Gradient, Triangle};
 use crate::vector::bench::{Coverage, SetupTest, Single};
@@ -19,8 +20,14 @@ impl SetUp {
         Self { model }
     }
 
-    fn met(&self, triangle: &Triangle, met: &mut Coverage) {
-        let triangle = triangle.normalised();
+    /// Counts what a triangle meets.
+    pub(in crate::vector) fn met(&self, given: &Triangle, met: &mut Coverage) {
+        let triangle = given.normalised();
+        met.meet(match given.area2().cmp(&0) {
+            Ordering::Less => "winding.negative",
+            Ordering::Equal => "winding.zero",
+            Ordering::Greater => "winding.positive",
+        });
         let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
         if triangle.area2() == 0 {
             return;
@@ -28,8 +35,25 @@ impl SetUp {
         let gradient = Gradient::new(&triangle, z);
         let grid = super::triangle::grid(&self.model);
         let plane = depth.plane(&triangle, z, &grid);
-        let scaled = gradient.x << (grid.sub_pixel + depth.read_out().fraction());
-        let rest = scaled.rem_euclid(gradient.area2);
+        let fraction = depth.read_out().fraction();
+        let scale = grid.sub_pixel + fraction;
+        let ([x0, y0], z0) = gradient.anchor;
+        let [x, y] = grid.offset;
+        let start = z0 * gradient.area2 + gradient.x * (x - x0) + gradient.y * (y - y0);
+        for (role, numerator) in [
+            (Role::DEPTH_INIT, start << fraction),
+            (Role::DEPTH_DX, gradient.x << scale),
+            (Role::DEPTH_DY, gradient.y << scale),
+        ] {
+            let magnitude = numerator.unsigned_abs();
+            let divisor = gradient.area2.unsigned_abs();
+            if 2 * (magnitude % divisor) == divisor {
+                let sign = if numerator < 0 { "negative" } else { "positive" };
+                let quotient = magnitude / divisor & 3;
+                met.meet(&format!("tie.{}.{sign}.q{quotient}", role.pattern));
+            }
+        }
+        let rest = (gradient.x << scale).rem_euclid(gradient.area2);
         let remainder = match (rest, (2 * rest).cmp(&gradient.area2)) {
             (0, _) => 0,
             (_, Ordering::Less) => 1,

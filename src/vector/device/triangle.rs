@@ -1,11 +1,12 @@
 //! The reference model of a triangle engine: set-up words in; spans, depths and counts out.
 
 use super::Device;
+use super::words::draw_words;
 use crate::bits::Event;
 use crate::cover::SampleGrid;
 use crate::model::{Drawing, Model, Span};
 use crate::setup::Triangle;
-use crate::vector::bench::{Coverage, TriangleAnswers, TriangleTest};
+use crate::vector::bench::{Coverage, TriangleAnswers, TriangleTest, word_engine};
 use crate::vector::table::Table;
 use std::sync::Arc;
 
@@ -28,6 +29,17 @@ pub(in crate::vector) fn draw(model: &Model, triangle: &Triangle, drawing: &mut 
         drawing.spans.clear();
         drawing.depth.clear();
     }
+}
+
+/// What a device of this model answers to a test; words of their own it reads by its own widths.
+pub(in crate::vector) fn drawing(model: &Model, test: &TriangleTest) -> Drawing {
+    let mut drawing = Drawing::default();
+    if let Some(triangle) = &test.triangle {
+        draw(model, triangle, &mut drawing);
+    } else if let Some(engine) = word_engine(model) {
+        drawing = draw_words(engine, test);
+    }
+    drawing
 }
 
 /// A row of `triangle.exp`.
@@ -99,10 +111,18 @@ impl Drawer {
         }
     }
 
-    fn met(&self, triangle: &Triangle, drawing: &Drawing, met: &mut Coverage) {
-        let triangle = triangle.normalised();
+    fn met(&self, test: &TriangleTest, drawing: &Drawing, met: &mut Coverage) {
+        if drawing.zero_area {
+            met.meet("zero-area");
+        }
+        let engine = word_engine(&self.model);
+        if let Some(engine) = engine {
+            super::words::met(engine, test, drawing, met);
+        }
+        let Some(triangle) = test.triangle.map(|triangle| triangle.normalised()) else { return };
+        self.sides(&triangle, drawing, met);
         let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
-        if drawing.spans.is_empty() {
+        if drawing.spans.is_empty() || engine.is_some() || self.model.ports().mask.is_some() {
             return;
         }
         let plane = depth.plane(&triangle, z, &grid(&self.model));
@@ -116,6 +136,22 @@ impl Drawer {
             }
         }
     }
+
+    /// Sides of the window that the triangle covers a sample at and goes beyond.
+    fn sides(&self, triangle: &Triangle, drawing: &Drawing, met: &mut Coverage) {
+        let (clip, grid) = (self.model.clip(), grid(&self.model));
+        let [(x0, x1), (y0, y1)] = [0, 1].map(|axis| grid.pixels(axis, triangle.extent(axis)));
+        let whole = (i64::MIN.into(), i64::MAX.into());
+        let ((left, right), (top, bottom)) = (clip.clip(0, whole), clip.clip(1, whole));
+        let any = |at: &dyn Fn(&Span) -> bool| drawing.spans.iter().any(at);
+        let met_at = [
+            ("beyond.left", x0 < i128::from(left) && any(&|span| span.x0 == left)),
+            ("beyond.right", x1 > i128::from(right) && any(&|span| span.x1 == right)),
+            ("beyond.top", y0 < i128::from(top) && any(&|span| span.y == top)),
+            ("beyond.bottom", y1 > i128::from(bottom) && any(&|span| span.y + 1 == bottom)),
+        ];
+        met_at.iter().filter(|(_, here)| *here).for_each(|(cell, _)| met.meet(cell));
+    }
 }
 
 impl Device<TriangleTest> for Drawer {
@@ -125,13 +161,13 @@ impl Device<TriangleTest> for Drawer {
         rows: &mut TriangleAnswers<Table>,
         met: &mut Coverage,
     ) {
-        let mut drawing = Drawing::default();
-        draw(&self.model, &test.triangle, &mut drawing);
+        let drawing = drawing(&self.model, test);
         let number = test.test;
         rows.exp.push(&summary(number, (drawing.spans.len(), drawing.samples()), &drawing));
         for span in &drawing.spans {
             rows.span(number, span);
         }
+        self.met(test, &drawing, met);
         if self.model.ports().mask.is_some() {
             self.masked(number, &drawing, rows);
             return;
@@ -145,6 +181,5 @@ impl Device<TriangleTest> for Drawer {
                 left = later;
             }
         }
-        self.met(&test.triangle, &drawing, met);
     }
 }

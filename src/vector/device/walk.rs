@@ -53,6 +53,7 @@ impl Device<WalkTest> for DepthLane {
                 usize::from(rest != 0) + usize::from(rest >= half) + usize::from(rest > half);
             let zone = usize::from(biased > high) + 2 * usize::from(biased < low);
             met.note(octant, zone, remainder);
+            met.note_guard(octant, guard(self.read, u128::from(pattern)));
             rows.exp.push_narrow([op as u64, pattern, decode.read(biased).cast_unsigned()]);
         }
     }
@@ -135,6 +136,7 @@ impl Device<WalkTest> for Stepper {
                 }
             };
             met.note(octant, zone, remainder);
+            met.note_guard(octant, guard(self.read, pattern));
             rows.exp.push(&[op as i128, acc, i128::from(out)]);
         }
     }
@@ -171,6 +173,13 @@ impl Operands {
             table.push(&[before, addend, pattern, i128::from(out), flags]);
         }
     }
+}
+
+/// What the guard bits of a pattern hold; more bits than any goal tells apart count as all ones.
+#[inline]
+pub(in crate::vector) fn guard(read: ReadOut, pattern: u128) -> usize {
+    let bits = pattern >> (read.width() - read.guard()) & ((1 << read.guard()) - 1);
+    usize::try_from(bits).unwrap_or(usize::MAX)
 }
 
 /// The signed value of the low `width` bits.

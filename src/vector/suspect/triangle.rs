@@ -6,10 +6,9 @@ use super::{Suspect, Suspects};
 use crate::format::Clamp;
 use crate::model::{Drawing, Model, Span};
 use crate::profile::neighbours;
-use crate::setup::Triangle;
 use crate::value::Depth;
 use crate::vector::bench::{Coverage, TriangleAnswers, TriangleBench, TriangleTest, ready};
-use crate::vector::device::{Device, Drawer, draw, grid, summary};
+use crate::vector::device::{Device, Drawer, drawing, grid, summary};
 use crate::vector::table::Table;
 use std::sync::Arc;
 
@@ -67,8 +66,17 @@ struct Moved {
 
 impl Moved {
     /// Depths of a span: those drawn, and beyond them what the plane goes on to give.
-    fn depths(&self, triangle: &Triangle, span: &Span) -> Vec<u64> {
+    fn depths(&self, test: &TriangleTest, span: &Span) -> Vec<u64> {
         let mut values = vec![0; (span.x1 - span.x0) as usize];
+        let Some(triangle) = &test.triangle else {
+            let words = &test.setup[9..12];
+            let y = i128::from(span.y - u32::from(self.moved == Move::RowsLate));
+            for (x, value) in (span.x0..).zip(&mut values) {
+                let at = words[0] + i128::from(x) * words[1] + y * words[2];
+                *value = self.model.depth().map_or(0, |depth| depth.read_out().read(at));
+            }
+            return values;
+        };
         let turned = triangle.normalised();
         if let (Some(depth), Some(z)) = (self.model.depth(), turned.z) {
             let grid = grid(&self.model);
@@ -82,8 +90,7 @@ impl Moved {
 
 impl Device<TriangleTest> for Moved {
     fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
-        let mut drawing = Drawing::default();
-        draw(&self.model, &test.triangle, &mut drawing);
+        let drawing = drawing(&self.model, test);
         let moved = drawing.spans.iter().map(|span| match self.moved {
             Move::RightEndIncluded => Span { x1: span.x1 + 1, ..*span },
             Move::LeftEndExcluded => Span { x0: span.x0 + 1, ..*span },
@@ -95,7 +102,7 @@ impl Device<TriangleTest> for Moved {
         for span in &spans {
             rows.span(test.test, span);
             if rows.depths.is_some() {
-                rows.depths(test.test, span, &self.depths(&test.triangle, span));
+                rows.depths(test.test, span, &self.depths(test, span));
             }
         }
     }
@@ -114,7 +121,7 @@ impl Device<TriangleTest> for Unturned {
         rows: &mut TriangleAnswers<Table>,
         met: &mut Coverage,
     ) {
-        if test.triangle.area2() < 0 {
+        if test.triangle.is_some_and(|triangle| triangle.area2() < 0) {
             rows.exp.push(&summary(test.test, (0, 0), &Drawing::default()));
         } else {
             self.drawer.answer(test, rows, met);
@@ -142,8 +149,7 @@ struct Slipped {
 
 impl Device<TriangleTest> for Slipped {
     fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
-        let mut drawing = Drawing::default();
-        draw(&self.model, &test.triangle, &mut drawing);
+        let drawing = drawing(&self.model, test);
         let Answer { spans, depths, mut samples } = if drawing.zero_area {
             Answer::default()
         } else {

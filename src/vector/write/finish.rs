@@ -8,7 +8,7 @@ use crate::profile::Profile;
 use crate::scene::{self, lines};
 use crate::setup::{Division, Triangle, VertexConfig};
 use crate::value::StartBias;
-use crate::vector::bench::Bench;
+use crate::vector::bench::{Bench, Cells};
 use crate::vector::emit::Emitted;
 use crate::vector::manifest::{
     self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, sha256,
@@ -106,8 +106,9 @@ pub fn account(bench: &dyn Bench, emitted: &Emitted) -> (Vec<GroupEntry>, Covera
             rows,
         })
         .collect();
-    let (cells, holes) = emitted.coverage.report(bench.shape());
-    (groups, CoverageEntry { bench: name, cells, holes })
+    let Cells { hit, unreachable, open } =
+        emitted.coverage.report(bench.shape(), &bench.goals());
+    (groups, CoverageEntry { bench: name, cells: hit, unreachable, open })
 }
 
 pub(super) fn finish(
