@@ -210,7 +210,8 @@ impl Engine {
                 }
             }
         }
-        let catches = "an engine without a clamp, with another decode, or with its split off by one";
+        let catches =
+            "an engine without a clamp, with another decode, or with its split off by one";
         Directed { class: Class { tag: "guard-splits", catches }, tests: cases }
     }
 
@@ -266,7 +267,8 @@ mod tests {
             let cases: Vec<Drawn> =
                 engine.directed(10_000).into_iter().flat_map(|class| class.tests).collect();
             assert!(cases.len() > 250, "{}", cases.len());
-            let fits = |width: u32, word: i128| (-(1 << (width - 1))..1 << (width - 1)).contains(&word);
+            let fits =
+                |width: u32, word: i128| (-(1 << (width - 1))..1 << (width - 1)).contains(&word);
             for case in cases {
                 assert!(case.edges.iter().flatten().all(|word| fits(edge, *word)), "{case:?}");
                 let depth = case.depth.zip(read);

@@ -9,8 +9,10 @@ pub const RANDOM: Class =
     Class { tag: "random", catches: "what nobody thought of: triangles of every size and shape" };
 
 /// The class of triangles searched for cells that the directed classes left open; no seed decides it.
-pub const CLOSING: Class =
-    Class { tag: "closing", catches: "combinations that no directed class meets: ties by octant and zone" };
+pub const CLOSING: Class = Class {
+    tag: "closing",
+    catches: "combinations that no directed class meets: ties by octant and zone",
+};
 
 /// The class of the scene's own triangles.
 pub const SCENE: Class = Class { tag: "scene", catches: "what a real scene meets" };
@@ -104,17 +106,19 @@ impl Stimulus {
             // Within the window too.
             let [w, h] = self.window.map(|side| (1i128 << (side * self.pixel).ilog2()) - 1);
             let p = self.pixel;
-            let small = [[a & w, b & h], [(a ^ (3 * p + 5)) & w, (b ^ 1) & h], [(a ^ 9) & w, (b ^ (2 * p + 3)) & h]];
-            for xy in [
-                [[a, b], [c, a], [b, ones ^ c]],
-                small.map(|v| v.map(|c| c - low)),
-            ] {
+            let small = [
+                [a & w, b & h],
+                [(a ^ (3 * p + 5)) & w, (b ^ 1) & h],
+                [(a ^ 9) & w, (b ^ (2 * p + 3)) & h],
+            ];
+            for xy in [[[a, b], [c, a], [b, ones ^ c]], small.map(|v| v.map(|c| c - low))] {
                 let z = self.depth.map_or(0, |maximum| maximum / 3);
                 let depths = [17 + z, 17 + 2 * z, 17 + z / 5];
                 list.push((xy.map(|v| v.map(|c| low + c)), depths));
                 // The complement of every bit, in the same order and turned.
                 let other = xy.map(|v| v.map(|c| high - c));
-                let depths = depths.map(|z| 17 + self.depth.map_or(0, |maximum| maximum - (z - 17)));
+                let depths =
+                    depths.map(|z| 17 + self.depth.map_or(0, |maximum| maximum - (z - 17)));
                 list.push((other, depths));
                 list.push(([xy[0], xy[2], xy[1]].map(|v| v.map(|c| low + c)), depths));
             }
@@ -149,7 +153,11 @@ impl Stimulus {
                 list.push(([at(1, 1), at(-1, 1), at(-1, -1)], [16, 0, 8]));
             }
         }
-        ("beyond-window", "a column or row drawn beyond the window, or one before its side lost", list)
+        (
+            "beyond-window",
+            "a column or row drawn beyond the window, or one before its side lost",
+            list,
+        )
     }
 
     fn zero_area(&self) -> Kind {
@@ -301,9 +309,13 @@ impl Stimulus {
         let (p, q) = (1i128 << ties.div_ceil(2), 1i128 << (ties / 2));
         let odd = self.centre.map(|offset| 1 - offset.rem_euclid(2));
         let [x, y] = [0, 1].map(|axis| (self.window[axis] * self.pixel / 2 & !1) + odd[axis]);
-        for ([x, y], [dx, dy]) in
-            [([x, y], [1, 1]), ([x, y], [-1, -1]), (odd, [1, 1]), ([x, y], [1, -1]), ([x, y], [-1, 1])]
-        {
+        for ([x, y], [dx, dy]) in [
+            ([x, y], [1, 1]),
+            ([x, y], [-1, -1]),
+            (odd, [1, 1]),
+            ([x, y], [1, -1]),
+            ([x, y], [-1, 1]),
+        ] {
             let at = |u: i128, v: i128| [[x + dx * u, y + dy * v], [x + dx * v, y + dy * u]];
             let (b, c) = (at(p, 1), at(p, 1 + q));
             for axes in 0..2 {

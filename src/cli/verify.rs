@@ -6,7 +6,7 @@ use super::output::Output;
 use super::progress;
 use guardbit::profile;
 use guardbit::vector::check::{self, CheckError, CheckOptions, OpenSet};
-use guardbit::vector::dump::{self, CompareError, DumpError};
+use guardbit::vector::dump::{self, CompareError, Differs, DumpError, DumpReport, Placed};
 use guardbit::vector::write::Monitor;
 use std::path::{Path, PathBuf};
 
@@ -119,19 +119,7 @@ fn compare(
         output.flush()?;
         return Ok(Outcome::Mismatch);
     }
-    match &report.causes[..] {
-        [] => output.line(format!(
-            "cause unknown: none of {} single changes explains the whole dump",
-            report.tried
-        ))?,
-        [cause] => output.line(format!("likely cause: {cause}"))?,
-        several => {
-            output.line("likely causes, each of which explains the whole dump:")?;
-            for cause in several {
-                output.line(format!("  {cause}"))?;
-            }
-        }
-    }
+    describe(&report, output)?;
     if report.lost {
         output.line(
             "all rows of the dump agree, but rows are lost on the way: check for a stream that ignores backpressure",
@@ -140,6 +128,54 @@ fn compare(
     output.flush()?;
     Ok(Outcome::Mismatch)
 }
+
+/// What was seen, where the defect is, and its cause if one alone explains everything.
+fn describe(report: &DumpReport, output: &mut Output) -> Result<(), Failure> {
+    let observed = &report.observed;
+    output.line("what differs:")?;
+    for Differs { column, rows, facts } in &observed.differ {
+        let facts =
+            if facts.is_empty() { String::new() } else { format!(": {}", facts.join(", ")) };
+        output.line(format!("  {column} in {rows} of {} rows{facts}", observed.rows))?;
+    }
+    if !observed.agree.is_empty() {
+        output.line(format!("  never: {}", observed.agree.join(" ")))?;
+    }
+    if observed.missing + observed.extra > 0 {
+        output.line(format!(
+            "  {} rows missing, {} rows too many",
+            observed.missing, observed.extra
+        ))?;
+    }
+    let classes: Vec<String> =
+        observed.classes.iter().map(|(class, rows)| format!("{class} {rows}")).collect();
+    output.line(format!("  rows by class of test: {}", classes.join(", ")))?;
+    let Placed { modules, columns } = &report.placed;
+    output.line(format!("placed: {}, columns {}", modules.join(" or "), columns.join(" ")))?;
+    if observed.trivial {
+        return output.line("cause unknown: the device answers the same in every row, which tells nothing of its cause");
+    }
+    match &report.causes[..] {
+        [] => output.line(format!(
+            "cause unknown: none of {} single changes explains the whole dump",
+            report.tried
+        )),
+        [cause] => output.line(format!("likely cause: {cause}")),
+        several => {
+            output.line("likely causes, each of which explains the whole dump:")?;
+            for cause in several.iter().take(MOST) {
+                output.line(format!("  {cause}"))?;
+            }
+            if several.len() > MOST {
+                output.line(format!("  and {} more", several.len() - MOST))?;
+            }
+            Ok(())
+        }
+    }
+}
+
+/// The most causes printed.
+const MOST: usize = 8;
 
 pub(crate) fn check_failure(error: CheckError) -> Failure {
     match error {

@@ -3,8 +3,10 @@
 
 mod compare;
 mod explain;
+mod observe;
 mod read;
 
+pub use observe::{Differs, Observed};
 pub use read::{Dump, DumpError};
 
 use super::bench::{Bench, FileSpec, TestAt, locate, tests};
@@ -65,6 +67,10 @@ pub struct DumpReport {
     pub mismatches: Vec<Mismatch>,
     /// How many there are in all.
     pub total: u64,
+    /// What can be said without any cause.
+    pub observed: Observed,
+    /// Where the defect is.
+    pub placed: Placed,
     /// Single changes that make the whole dump agree.
     pub causes: Vec<String>,
     /// How many single changes were tried.
@@ -79,11 +85,21 @@ pub struct DumpReport {
     pub disagrees: bool,
 }
 
+/// Where a defect is.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Placed {
+    /// Modules, as the devices of a set call them, likeliest first.
+    pub modules: Vec<String>,
+    /// The columns that show it.
+    pub columns: Vec<String>,
+}
+
 /// One expectation file of a set and the bench behind it.
 struct Subject {
     bench: Box<dyn Bench>,
     /// Which of the bench's files.
     file: usize,
+    cfg: FileSpec,
     spec: FileSpec,
     shard: Shard,
     count: u64,
@@ -137,8 +153,11 @@ pub fn compare(
     }
     report.file = format!("{}.tv", subject.spec.stem);
     if report.disagrees {
+        report.observed = observe::observe(&subject, &rows);
         let causes = explain::causes(&subject, &rows, report.short);
-        (report.causes, report.tried, report.lost) = (causes.named, causes.tried, causes.lost);
+        report.placed = explain::place(&subject, &report.observed, &causes);
+        (report.tried, report.lost) = (causes.tried, causes.lost);
+        report.causes = causes.named.into_iter().map(|(change, _)| change).collect();
     }
     Ok(report)
 }
@@ -155,12 +174,13 @@ fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, Co
     let mut known = Vec::new();
     for bench in source.benches() {
         let specs = bench.files();
+        let cfg = specs[0].clone();
         for (file, spec) in specs.into_iter().enumerate() {
             if !spec.stem.contains(".exp") {
                 continue;
             }
             if wanted.starts_with(&spec.stem) {
-                return Ok(Subject { bench, file, spec, shard, count: source.count });
+                return Ok(Subject { bench, file, cfg, spec, shard, count: source.count });
             }
             known.push(spec.stem);
         }

@@ -3,10 +3,11 @@
 //! clauses `N-14` and `J-5`.
 
 mod engine;
+mod fault;
 mod register;
 mod setup;
 mod shape;
-mod slip;
+mod stepper;
 mod triangle;
 mod unit;
 mod walk;
@@ -28,6 +29,8 @@ pub struct Suspect<'b> {
     /// Rows at the very start of a file that the change leaves open: what such a device shows
     /// before its first clock depends on its reset.
     pub unsettled: u64,
+    /// The module and the part of it that are wrong, if a single part is.
+    pub place: Option<(&'static str, &'static str)>,
     /// The device, taken through the tests of the bench.
     pub run: Box<dyn Run + 'b>,
 }
@@ -45,6 +48,16 @@ impl<'b> Suspect<'b> {
         device: impl Device<B::Test> + 'b,
     ) -> Self {
         let run = Box::new(Rig::new(bench, Box::new(device), RowFormat::Bin));
-        Self { change: change.into(), unsettled: 0, run }
+        Self { change: change.into(), unsettled: 0, place: None, run }
+    }
+
+    /// A device with a fault in one part.
+    fn at<B: TestBench>(
+        bench: &'b B,
+        fault: &fault::Fault,
+        device: impl Device<B::Test> + 'b,
+    ) -> Self {
+        let place = Some((fault.module, fault.site));
+        Self { place, ..Self::new(bench, fault.text.clone(), device) }
     }
 }

@@ -495,7 +495,8 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
             let place = format!("{} test {test} {triangle:?}", profile.name);
             // Words of their own: what the row of the set says they are, sign by sign.
             let words = |first: usize, width: u32| {
-                let word = |k: usize| (cfg[first + k] << (128 - width)).cast_signed() >> (128 - width);
+                let word =
+                    |k: usize| (cfg[first + k] << (128 - width)).cast_signed() >> (128 - width);
                 [0, 1, 2].map(word)
             };
             let (zero_area, plane) = match &triangle {
@@ -511,7 +512,9 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
                 }
             };
             let inside = |x: i128, y: i128| match &triangle {
-                Some(triangle) => exact::covers(triangle.xy, Point::from(grid.position(x, y)), rule),
+                Some(triangle) => {
+                    exact::covers(triangle.xy, Point::from(grid.position(x, y)), rule)
+                }
                 None => (0..3).all(|k| {
                     let width = profile.form.edge().unwrap().width;
                     let [e, a, b] = words(1 + 3 * k, width);

@@ -163,7 +163,10 @@ impl Coverage {
     pub fn guard_goals(guard: u32) -> Vec<Goal> {
         let patterns = if guard == 0 { 0 } else { 1u32 << guard.min(GUARD) };
         let name = |octant: &str, pattern: u32| {
-            Goal::new(format!("{octant}.guard-{pattern:0width$b}", width = guard.min(GUARD) as usize))
+            Goal::new(format!(
+                "{octant}.guard-{pattern:0width$b}",
+                width = guard.min(GUARD) as usize
+            ))
         };
         let of = |octant: &'static str| (0..patterns).map(move |pattern| name(octant, pattern));
         OCTANTS.into_iter().flat_map(of).collect()
@@ -211,8 +214,10 @@ impl Coverage {
                 }
             }
         }
-        let is_of_the_shape = |goal: &&Goal| goal.cell.split('.').count() != 3
-            || !OCTANTS.iter().any(|octant| goal.cell.starts_with(octant));
+        let is_of_the_shape = |goal: &&Goal| {
+            goal.cell.split('.').count() != 3
+                || !OCTANTS.iter().any(|octant| goal.cell.starts_with(octant))
+        };
         for Goal { cell, unreachable } in goals.iter().filter(is_of_the_shape) {
             match self.rows(cell) {
                 0 => report.miss(cell.clone(), unreachable.as_ref()),
@@ -225,9 +230,8 @@ impl Coverage {
     /// Rows of a cell or a goal.
     pub(super) fn rows(&self, goal: &str) -> u64 {
         let mut parts = goal.split('.');
-        let index = |names: &[&str], part: Option<&str>| {
-            names.iter().position(|name| Some(*name) == part)
-        };
+        let index =
+            |names: &[&str], part: Option<&str>| names.iter().position(|name| Some(*name) == part);
         if let (Some(octant), Some(zone), Some(rest)) = (
             index(&OCTANTS, parts.next()),
             index(&ZONES, parts.next()),

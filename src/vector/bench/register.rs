@@ -3,8 +3,8 @@
 use super::rig::NoFiles;
 use super::word::place_columns;
 use super::{
-    Bench, Coverage, FileSpec, Goal, Group, RegisterAnswers, Rig, Run, Shape, Source, TestAt, TestBench,
-    cut,
+    Bench, Coverage, FileSpec, Goal, Group, RegisterAnswers, Rig, Run, Shape, Source, TestAt,
+    TestBench, cut,
 };
 use crate::case::triangle::{self, Stimulus as Cases};
 use crate::case::{Class, Directed, Words, place};
@@ -214,7 +214,9 @@ impl TestBench for RegisterBench {
     }
 
     fn words(&self, test: &RegisterTest) -> Vec<i128> {
-        std::iter::once(i128::from(test.test)).chain(test.words.iter().copied().map(i128::from)).collect()
+        std::iter::once(i128::from(test.test))
+            .chain(test.words.iter().copied().map(i128::from))
+            .collect()
     }
 
     fn tables(&self, format: RowFormat) -> (Table, RegisterAnswers<Table>) {

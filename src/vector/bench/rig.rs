@@ -61,7 +61,9 @@ impl<B: TestBench> Rig<'_, B> {
         let width = |n: usize| self.cfg.columns()[n].width;
         let in_use = |(n, word): (usize, &i128)| width(n) == 1 || *word != 0;
         // The number of the first test is zero.
-        if self.last.is_empty() && words.iter().enumerate().filter(|(n, _)| width(*n) != 32).all(in_use) {
+        if self.last.is_empty()
+            && words.iter().enumerate().filter(|(n, _)| width(*n) != 32).all(in_use)
+        {
             self.met.meet(first);
         }
         let changed = |(n, (a, b)): (usize, (&i128, &i128))| width(n) == 1 || a != b;

@@ -3,7 +3,9 @@
 use super::rig::OperandRig;
 use super::triangles::{Given, Random, Triangles};
 use super::word::{input_words, ready, setup_columns};
-use super::{Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench};
+use super::{
+    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench,
+};
 use crate::case::triangle::{CLOSING, Stimulus as Cases};
 use crate::case::{Directed, Words};
 use crate::format::Role;
@@ -122,8 +124,11 @@ fn ties(profile: &Profile, fraction: u32) -> Vec<Goal> {
     // Twice the area is a determinant of two sides of the field.
     let most = (high - low) * (high - low);
     let sub_pixel = profile.vertex.sub_pixel;
-    let quotients =
-        [(Role::DEPTH_INIT, fraction), (Role::DEPTH_DX, sub_pixel + fraction), (Role::DEPTH_DY, sub_pixel + fraction)];
+    let quotients = [
+        (Role::DEPTH_INIT, fraction),
+        (Role::DEPTH_DX, sub_pixel + fraction),
+        (Role::DEPTH_DY, sub_pixel + fraction),
+    ];
     let mut goals = Vec::new();
     for (role, scale) in quotients {
         let least = 1i128 << (scale + 1);
@@ -134,7 +139,10 @@ fn ties(profile: &Profile, fraction: u32) -> Vec<Goal> {
         for cell in cells.chain(octants.into_iter().flatten()) {
             if most < least {
                 // n 2^scale = (q + 1/2) d asks for a d that 2^(scale+1) divides.
-                let bound = format!("2^{} divides twice the area in a tie, which is at most {most}", scale + 1);
+                let bound = format!(
+                    "2^{} divides twice the area in a tie, which is at most {most}",
+                    scale + 1
+                );
                 goals.push(Goal::never(cell, "P-3", bound));
             } else if cell.starts_with("tie") {
                 goals.push(Goal::new(cell));

@@ -6,7 +6,8 @@ mod stimulus;
 use super::rig::NoFiles;
 use super::word::{PIXEL, RUN, place_columns};
 use super::{
-    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, ShapeAnswers, Source, TestAt, TestBench, cut,
+    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, ShapeAnswers, Source, TestAt,
+    TestBench, cut,
 };
 use crate::case::triangle::RANDOM;
 use crate::case::{Class, place};

@@ -4,13 +4,14 @@ use super::rig::NoFiles;
 use super::triangles::{Given, Random, Triangles};
 use super::word::{answer_files, bounds, place_columns, ready, setup_columns};
 use super::{
-    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Source, TestAt, TestBench, TriangleAnswers,
+    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Source, TestAt, TestBench,
+    TriangleAnswers,
 };
 use crate::case::engine::{Drawn, Engine};
 use crate::format::{Clamp, Role};
 use crate::model::Model;
-use crate::value::{Depth, StartBias};
 use crate::setup::{Division, Triangle};
+use crate::value::{Depth, StartBias};
 use crate::vector::device::{Drawer, Stimulus, setup_words};
 use crate::vector::table::{RowFormat, Table};
 use std::sync::Arc;
@@ -107,14 +108,22 @@ impl TriangleBench {
             config.division == Division::Quotient && config.start_bias == StartBias::None
         };
         let Some(depth) = self.model.depth().filter(plain) else { return Vec::new() };
-        if word_engine(&self.model).is_some() || !profile.covers_exactly() || self.model.ports().mask.is_some() {
+        if word_engine(&self.model).is_some()
+            || !profile.covers_exactly()
+            || self.model.ports().mask.is_some()
+        {
             return Vec::new();
         }
         let roundings = i128::from(profile.window.width) + i128::from(profile.window.height) - 1;
         // In halves of a unit of the accumulator.
         let each = if depth.config().rounding.is_nearest() { 1 } else { 2 };
         let (error, unit) = (each * roundings, 1i128 << depth.read_out().fraction());
-        let bound = |limit: &str| format!("{roundings} roundings err by at most {error}/2 < {limit} units of 2^-{}", depth.read_out().fraction());
+        let bound = |limit: &str| {
+            format!(
+                "{roundings} roundings err by at most {error}/2 < {limit} units of 2^-{}",
+                depth.read_out().fraction()
+            )
+        };
         let mut goals = Vec::new();
         if error < 2 * unit {
             let all = ["zero", "below-half", "tie", "above-half"];
@@ -226,23 +235,38 @@ impl Bench for TriangleBench {
         let ends = [
             ("beyond.left", low < 0, format!("vertices begin at {low} >= 0 sub-pixels")),
             ("beyond.top", low < 0, format!("vertices begin at {low} >= 0 sub-pixels")),
-            ("beyond.right", high > i128::from(window.width) * pixel, beyond(high, window.width, pixel)),
-            ("beyond.bottom", high > i128::from(window.height) * pixel, beyond(high, window.height, pixel)),
+            (
+                "beyond.right",
+                high > i128::from(window.width) * pixel,
+                beyond(high, window.width, pixel),
+            ),
+            (
+                "beyond.bottom",
+                high > i128::from(window.height) * pixel,
+                beyond(high, window.height, pixel),
+            ),
         ];
         goals.extend(ends.map(|(cell, reached, bound)| {
             if reached { Goal::new(cell) } else { Goal::never(cell, "T-1", bound) }
         }));
         goals.extend(self.beyond_the_plane());
         if let Some(engine) = word_engine(&self.model) {
-            goals.extend(engine.read.into_iter().flat_map(|read| Coverage::guard_goals(read.guard())));
-            goals.extend(["cut.left", "cut.right", "cut.top", "cut.bottom", "box.empty"].map(Goal::new));
+            goals.extend(
+                engine.read.into_iter().flat_map(|read| Coverage::guard_goals(read.guard())),
+            );
+            goals.extend(
+                ["cut.left", "cut.right", "cut.top", "cut.bottom", "box.empty"].map(Goal::new),
+            );
             for edge in 0..3 {
                 goals.extend(["zero", "minus-one"].map(|at| Goal::new(format!("edge{edge}.{at}"))));
             }
             for (axis, side) in [("x", window.width), ("y", window.height)] {
                 let powers = (0..u32::BITS - side.leading_zeros()).map(|power| 1u32 << power);
-                let besides = powers.clone().filter(|two| *two <= 256 && *two < side).map(|two| two + 1);
-                goals.extend(powers.chain(besides).map(|length| Goal::new(format!("run.{axis}.{length}"))));
+                let besides =
+                    powers.clone().filter(|two| *two <= 256 && *two < side).map(|two| two + 1);
+                goals.extend(
+                    powers.chain(besides).map(|length| Goal::new(format!("run.{axis}.{length}"))),
+                );
             }
         }
         goals

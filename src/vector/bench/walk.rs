@@ -1,7 +1,9 @@
 //! The `dda` and `edge` benches: a planar DDA with its read-out, and an edge stepper.
 
 use super::rig::OperandRig;
-use super::{Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench};
+use super::{
+    Bench, Coverage, FileSpec, Goal, Group, Rig, Run, Shape, Single, Source, TestAt, TestBench,
+};
 use crate::case::walk::{self, Pattern, RANDOM_ROWS, SCENE_ROWS, Walk};
 use crate::case::{Directed, Words, place};
 use crate::cover::SampleGrid;

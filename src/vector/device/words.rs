@@ -85,14 +85,20 @@ pub(in crate::vector) fn met(
     }
     // Columns of the same number of rows as the box, as runs go down.
     let column = drawing.spans.len() as u32;
-    if drawing.spans.iter().all(|span| span.x1 - span.x0 == 1) && column == y1 - y0.min(y1) && column > 0 && full(column) {
+    if drawing.spans.iter().all(|span| span.x1 - span.x0 == 1)
+        && column == y1 - y0.min(y1)
+        && column > 0
+        && full(column)
+    {
         met.meet(&format!("run.y.{column}"));
     }
     if !drawing.zero_area && test.samples() <= 64 {
         for y in y0..y1 {
             for x in x0..x1.max(x0) {
                 let outside: Vec<usize> = (0..3).filter(|n| edge(*n, x, y) < 0).collect();
-                if let [n] = outside[..] && edge(n, x, y) == -1 {
+                if let [n] = outside[..]
+                    && edge(n, x, y) == -1
+                {
                     met.meet(&format!("edge{n}.minus-one"));
                 }
             }

@@ -3,6 +3,7 @@
 use super::explain::mismatch_text;
 use super::read::Dump;
 use super::{DumpReport, Mismatch, Subject};
+use crate::format::Column;
 use crate::vector::bench::{Run, TestAt};
 use crate::vector::plan::test_id;
 use crate::vector::table::{RowFormat, unpack};
@@ -12,6 +13,9 @@ use std::collections::HashMap;
 pub(super) struct Answer<'r> {
     run: Box<dyn Run + 'r>,
     file: usize,
+    /// The row of the configuration file that drove the last test, packed.
+    cfg: Vec<u8>,
+    columns: Vec<Column>,
     stride: usize,
     rows: Vec<u8>,
 }
@@ -19,7 +23,9 @@ pub(super) struct Answer<'r> {
 impl<'r> Answer<'r> {
     /// The answers of a device whose tables have the form `bin`.
     pub(super) fn new(subject: &Subject, run: Box<dyn Run + 'r>) -> Self {
-        Self { run, file: subject.file, stride: subject.stride(), rows: Vec::new() }
+        let columns = subject.cfg.columns.clone();
+        let (file, stride) = (subject.file, subject.stride());
+        Self { run, file, cfg: Vec::new(), columns, stride, rows: Vec::new() }
     }
 
     /// The expectations.
@@ -33,10 +39,21 @@ impl<'r> Answer<'r> {
         for (file, table) in self.run.tables().into_iter().enumerate() {
             if file == self.file {
                 std::mem::swap(&mut self.rows, &mut table.buffer);
+            } else if file == 0 {
+                std::mem::swap(&mut self.cfg, &mut table.buffer);
             }
             table.buffer.clear();
         }
         self.rows.chunks_exact(self.stride)
+    }
+}
+
+impl Answer<'_> {
+    /// The stimulus of the last test: name, word and width of each column.
+    pub(super) fn stimulus(&self) -> Vec<(String, u128, u32)> {
+        let words = unpack(&self.cfg, &self.columns);
+        let named = self.columns.iter().zip(words);
+        named.map(|(column, word)| (column.name.clone(), word, column.width)).collect()
     }
 }
 

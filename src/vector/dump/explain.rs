@@ -1,9 +1,10 @@
 //! Mismatches in words, and their cause.
 
-use super::Subject;
 use super::compare::{Answer, ByTest, by_test};
+use super::observe::Observed;
 use super::read::Dump;
-use crate::format::Column;
+use super::{Placed, Subject};
+use crate::format::{Column, Role};
 use crate::vector::bench::TestAt;
 use crate::vector::table::unpack;
 use std::fmt::Write as _;
@@ -53,7 +54,7 @@ pub(super) fn mismatch_text(
     text
 }
 
-fn value(column: &Column, word: u128) -> i128 {
+pub(super) fn value(column: &Column, word: u128) -> i128 {
     let unused = 128 - column.width;
     if column.signed { word.cast_signed() << unused >> unused } else { word.cast_signed() }
 }
@@ -71,8 +72,8 @@ fn in_fields(fields: &[(String, u32)], word: u128) -> String {
 
 /// What may be behind a dump.
 pub(super) struct Causes {
-    /// Single changes that make the whole dump agree.
-    pub(super) named: Vec<String>,
+    /// Single changes that make the whole dump agree, with their module and part.
+    pub(super) named: Vec<(String, Option<(&'static str, &'static str)>)>,
     /// How many were tried.
     pub(super) tried: usize,
     /// Whether nothing is wrong but that rows are missing.
@@ -84,7 +85,7 @@ pub(super) fn causes(subject: &Subject, dump: &Dump, short: bool) -> Causes {
     let keyed = (subject.key() > 0).then(|| by_test(subject, dump));
     let suspects = subject.bench.suspects();
     let tried = suspects.len();
-    let mut named = Vec::new();
+    let mut named: Vec<(String, _)> = Vec::new();
     for suspect in suspects {
         let answer = Answer::new(subject, suspect.run);
         let explained = match &keyed {
@@ -92,12 +93,48 @@ pub(super) fn causes(subject: &Subject, dump: &Dump, short: bool) -> Causes {
             None => agrees_ordered(subject, answer, dump, (suspect.unsettled, short)),
         };
         // A change can be tried in more than one guise.
-        if explained && !named.contains(&suspect.change) {
-            named.push(suspect.change);
+        if explained && named.iter().all(|(change, _)| *change != suspect.change) {
+            named.push((suspect.change, suspect.place));
         }
     }
     let lost = named.is_empty() && is_part(subject, dump, keyed.as_ref());
     Causes { named, tried, lost }
+}
+
+/// Where the defect is: modules, likeliest first, and the columns that show it.
+pub(super) fn place(subject: &Subject, observed: &Observed, causes: &Causes) -> Placed {
+    let mut columns: Vec<String> =
+        observed.differ.iter().map(|differs| differs.column.clone()).collect();
+    if observed.missing + observed.extra > 0 {
+        columns.extend(subject.spec.columns[..subject.key()].iter().map(|c| c.name.clone()));
+    }
+    let mut modules: Vec<&str> = Vec::new();
+    for (_, place) in &causes.named {
+        let module = place.map(|(module, _)| module);
+        modules.extend(module.filter(|module| !modules.contains(module)));
+    }
+    let plane = |name: &String| {
+        [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY].iter().any(|role| role.pattern == name)
+    };
+    if modules.is_empty() {
+        modules = match subject.bench.name() {
+            "dda" => vec!["dda"],
+            "edge" => vec!["edge_stepper"],
+            // The quotients are all that the divider makes, and it makes all three.
+            "setup" if columns.iter().all(plane) && columns.len() == 3 => vec!["setup_divider"],
+            "setup" => vec!["triangle_setup"],
+            // Runs and counts are right here where depths are not missing.
+            "triangle"
+                if subject.spec.stem == "depth.exp" && observed.missing + observed.extra == 0 =>
+            {
+                vec!["depth_evaluator", "dda"]
+            }
+            "triangle" if subject.spec.stem == "triangle.exp" => vec!["triangle_engine"],
+            "triangle" => vec!["triangle_engine", "edge_evaluator"],
+            other => vec![other],
+        };
+    }
+    Placed { modules: modules.into_iter().map(str::to_owned).collect(), columns }
 }
 
 /// Whether the dump is the expectation with rows left out.

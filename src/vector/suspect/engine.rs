@@ -1,220 +1,357 @@
-//! A plain triangle engine with a slip: steppers down the box's left side and along its rows.
+//! A plain triangle engine as hardware has it, over a [`Path`]: words held in registers, steppers down
+//! the box's left side and along its rows, a walk over the box, and counters. Clauses `C-5`, `P-2`,
+//! `G-1` and `J-2`.
 
-use super::slip::{ReadSlip, Register, SignSlip, Slip};
+use super::fault::{Operator, Path, Relation};
+use super::stepper::{self, Stepper};
+use crate::case::engine::Engine as Widths;
 use crate::dda::Op;
-use crate::format::ReadOut;
 use crate::model::Span;
 
-/// A defect of an engine that takes set-up words.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum EngineSlip {
-    /// In the depth accumulators.
-    Depth(Slip),
-    /// In the edge accumulators.
-    Edge(Slip),
-    /// In the depth read-out.
-    Read(ReadSlip),
-    /// In the edges' sign test.
-    Sign(SignSlip),
-    LeftEndLate,
-    ColumnsLate,
-    LastRow,
-    LastColumn,
-    EdgeUnseen(usize),
-    AnyEdge,
-    CornerSwapped,
-    CornerFlat,
-    DepthRowAbove,
-    EdgeRowAbove,
-    DepthStepsDown,
-    DepthToTheRight,
-    CountLarge,
-    CountKept,
-}
-
-impl EngineSlip {
-    /// Those that an engine of these words can have.
-    pub(super) fn all(edge_width: u32, read: Option<ReadOut>) -> Vec<(Self, String)> {
-        let of = |slips: &[(Self, &str)]| -> Vec<(Self, String)> {
-            slips.iter().map(|(slip, name)| (*slip, (*name).to_owned())).collect()
-        };
-        let mut list = of(&[
-            (
-                Self::LeftEndLate,
-                "spans leave out the pixel at their left end (off by one); spans of one pixel are empty",
-            ),
-            (Self::ColumnsLate, "columns are numbered one too high (off by one)"),
-            (Self::LastRow, "the last row of the box is left out"),
-            (Self::LastColumn, "the last column of the box is left out"),
-            (Self::EdgeUnseen(0), "edge 0 is not tested"),
-            (Self::EdgeUnseen(1), "edge 1 is not tested"),
-            (Self::EdgeUnseen(2), "edge 2 is not tested"),
-            (Self::AnyEdge, "a sample inside any one edge counts as covered"),
-            (Self::CornerFlat, "the start at the corner of the box leaves out the steps down"),
-            (Self::EdgeRowAbove, "the edge words of a row start from the row above"),
-            (Self::CountLarge, "the count of samples is one too large"),
-            (Self::CountKept, "the count of samples is not reset between triangles"),
-        ]);
-        // What a stall or an earlier triangle leaves behind cannot be told from the words.
-        let told = |slip: &Slip| {
-            slip.forgets() && !matches!(slip, Slip::HoldClears | Slip::HoldSteps | Slip::Held)
-        };
-        let named = |slip: Slip, what: &str| format!("{} ({what})", slip.text());
-        list.extend(
-            Slip::all(edge_width).filter(told).map(|s| (Self::Edge(s), named(s, "edge words"))),
-        );
-        list.extend(SignSlip::ALL.map(|(slip, name)| (Self::Sign(slip), name.to_owned())));
-        let Some(read) = read else { return list };
-        list.extend(of(&[
-            (Self::CornerSwapped, "the start at the corner of the box uses x instead of y"),
-            (Self::DepthRowAbove, "the depth of a row starts from the row above"),
-            (Self::DepthStepsDown, "depth steps by dz/dy along a row"),
-            (Self::DepthToTheRight, "depths are those of the sample to the right"),
-        ]));
-        list.extend(
-            Slip::all(read.width()).filter(told).map(|s| (Self::Depth(s), named(s, "depth"))),
-        );
-        list.extend(ReadSlip::all(read).into_iter().map(|s| (Self::Read(s), s.text().to_owned())));
-        list
-    }
-}
-
-/// An engine with a slip.
+/// A plain engine.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Engine {
-    pub(super) slip: EngineSlip,
-    pub(super) edge_width: u32,
-    pub(super) read: Option<ReadOut>,
+    pub(super) widths: Widths,
 }
 
 /// What it answers.
-#[derive(Default)]
+#[derive(Debug, Default)]
 pub(super) struct Answer {
     pub(super) spans: Vec<Span>,
     /// x, y, depth.
     pub(super) depths: Vec<(u32, u32, u64)>,
-    pub(super) samples: u64,
+    pub(super) span_count: u64,
+    pub(super) sample_count: u64,
+    pub(super) zero_area: bool,
 }
 
-/// A word over a box.
-struct Plane {
+/// What an engine keeps from one record to the next.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Kept {
+    spans: i128,
+    samples: i128,
+}
+
+/// Bits of a pixel coordinate.
+const PIXEL: u32 = 17;
+
+const HELD: [&str; 12] = [
+    "the held edge0_init",
+    "the held edge0_dx",
+    "the held edge0_dy",
+    "the held edge1_init",
+    "the held edge1_dx",
+    "the held edge1_dy",
+    "the held edge2_init",
+    "the held edge2_dx",
+    "the held edge2_dy",
+    "the held depth_init",
+    "the held depth_dx",
+    "the held depth_dy",
+];
+
+/// A word over a box: a stepper down its left side, and one along a row.
+struct Plane<'p> {
+    path: &'p Path,
+    stepper: Stepper,
+    parts: &'static Parts,
     words: [i128; 3],
-    side: Register,
-    run: Register,
+    side: i128,
+    run: i128,
 }
 
-impl Plane {
-    fn new(slip: Option<Slip>, width: u32, words: [i128; 3], corner: i128, run: [i128; 2]) -> Self {
-        let [_, dx, dy] = words;
-        let (mut side, fresh) = (Register::new(slip, width), Register::new(slip, width));
-        side.clock(Op::Load, [corner, dx, dy]);
-        let mut plane = Self { words: [corner, run[0], run[1]], side, run: fresh };
-        plane.run.clock(Op::Load, plane.words);
-        plane.words = [dy, run[0], run[1]];
+/// What the parts of an evaluator are called.
+struct Parts {
+    module: &'static str,
+    across: &'static str,
+    down: &'static str,
+    across_by: &'static str,
+    down_by: &'static str,
+    across_sum: &'static str,
+    down_sum: &'static str,
+    row: &'static str,
+    row_from: &'static str,
+    side_moves: &'static str,
+    run_moves: &'static str,
+    run_steps: &'static str,
+    side_steps: &'static str,
+}
+
+const EDGE: Parts = Parts {
+    module: "edge_evaluator",
+    across: "edge dx times the box's x",
+    down: "edge dy times the box's y",
+    across_by: "what edge dx is multiplied by",
+    down_by: "what edge dy is multiplied by",
+    across_sum: "the edge word at the corner, across",
+    down_sum: "the edge word at the corner, down",
+    row: "the edge word of the next row",
+    row_from: "what an edge's row begins from",
+    side_moves: "operation of an edge's left side",
+    run_moves: "operation along an edge's row",
+    run_steps: "what an edge steps by along a row",
+    side_steps: "what an edge steps by down the side",
+};
+
+const DEPTH: Parts = Parts {
+    module: "depth_evaluator",
+    across: "depth dx times the box's x",
+    down: "depth dy times the box's y",
+    across_by: "what depth dx is multiplied by",
+    down_by: "what depth dy is multiplied by",
+    across_sum: "the depth at the corner, across",
+    down_sum: "the depth at the corner, down",
+    row: "the depth of the next row",
+    row_from: "what a depth row begins from",
+    side_moves: "operation of the depth's left side",
+    run_moves: "operation along a depth row",
+    run_steps: "what depth steps by along a row",
+    side_steps: "what depth steps by down the side",
+};
+
+impl<'p> Plane<'p> {
+    /// At the corner of the box.
+    fn new(
+        path: &'p Path,
+        (stepper, parts): (Stepper, &'static Parts),
+        words: [i128; 3],
+        corner: [i128; 2],
+    ) -> Self {
+        path.within(parts.module, || Self::at_corner(path, (stepper, parts), words, corner))
+    }
+
+    fn at_corner(
+        path: &'p Path,
+        (stepper, parts): (Stepper, &'static Parts),
+        words: [i128; 3],
+        [x, y]: [i128; 2],
+    ) -> Self {
+        let [init, dx, dy] = words;
+        let (x_name, y_name) = (("the box's x", x), ("the box's y", y));
+        let x = path.choose(
+            parts.across_by,
+            0,
+            [x_name, y_name, ("zero", 0), ("the box's x and one", x + 1)],
+        );
+        let y = path.choose(
+            parts.down_by,
+            0,
+            [y_name, x_name, ("zero", 0), ("the box's y and one", y + 1)],
+        );
+        let across = path.product(parts.across, dx, x);
+        let down = path.product(parts.down, dy, y);
+        let corner = path.sum(parts.across_sum, Operator::Add, [init, across], stepper.width);
+        let corner = path.sum(parts.down_sum, Operator::Add, [corner, down], stepper.width);
+        let mut plane = Self { path, stepper, parts, words, side: 0, run: 0 };
+        plane.side = plane.clock(plane.side, Op::Load, corner, true);
+        plane.run = plane.clock(plane.run, Op::Load, corner, false);
         plane
     }
 
-    /// To the row below; a row that starts from the row above forgets to add.
-    fn down(&mut self, above: bool) {
-        let [dy, dx, run_dy] = self.words;
-        let left = self.side.pattern.cast_signed() + if above { 0 } else { dy };
-        self.side.clock(Op::StepY, [0, 0, dy]);
-        self.run.clock(Op::Load, [left, dx, run_dy]);
+    fn clock(&self, word: i128, op: Op, init: i128, side: bool) -> i128 {
+        let [_, dx, dy] = self.words;
+        let steps = if side { self.parts.side_steps } else { self.parts.run_steps };
+        let (own, other) = if side { (("dy", dy), ("dx", dx)) } else { (("dx", dx), ("dy", dy)) };
+        let step = self.path.choose(steps, 0, [own, other]);
+        let (dx, dy) = if side { (dx, step) } else { (step, dy) };
+        self.stepper.clock(self.path, word, op, [init, dx, dy])
     }
 
+    /// To the next row.
+    fn down(&mut self) {
+        let path = self.path;
+        path.within(self.parts.module, || self.move_down());
+    }
+
+    fn move_down(&mut self) {
+        let moves = self.path.choose(
+            self.parts.side_moves,
+            0,
+            [("a step down at the end of a row", 0), ("a hold", 1), ("a step right", 2)],
+        );
+        let [_, _, dy] = self.words;
+        let from = self.path.choose(
+            self.parts.row_from,
+            0,
+            [("the left side", self.side), ("the end of the row above", self.run)],
+        );
+        let left = self.path.sum(self.parts.row, Operator::Add, [from, dy], self.stepper.width);
+        let op = [Op::StepY, Op::Hold, Op::StepX][usize::try_from(moves).unwrap_or_default()];
+        self.side = self.clock(self.side, op, 0, true);
+        self.run = self.clock(self.run, Op::Load, left, false);
+    }
+
+    /// To the next sample.
     fn right(&mut self) {
-        let [_, dx, run_dy] = self.words;
-        self.run.clock(Op::StepX, [0, dx, run_dy]);
+        let path = self.path;
+        path.within(self.parts.module, || self.move_right());
+    }
+
+    fn move_right(&mut self) {
+        let moves = self.path.choose(
+            self.parts.run_moves,
+            0,
+            [("a step right after a sample", 0), ("a hold", 1), ("a step down", 2)],
+        );
+        let op = [Op::StepX, Op::Hold, Op::StepY][usize::try_from(moves).unwrap_or_default()];
+        self.run = self.clock(self.run, op, 0, false);
     }
 }
 
 impl Engine {
-    /// Draws set-up words over a box.
-    pub(super) fn draw(&self, words: &[i128], [x0, y0, x1, y1]: [u32; 4]) -> Answer {
+    /// Draws set-up words, with the flag of no area, over a box; `None` if it never ends.
+    pub(super) fn draw(
+        &self,
+        path: &Path,
+        kept: &mut Kept,
+        words: &[i128],
+        bounds: [u32; 4],
+    ) -> Option<Answer> {
+        path.next_record();
+        path.within("triangle_engine", || self.draw_record(path, kept, words, bounds))
+    }
+
+    fn draw_record(
+        &self,
+        path: &Path,
+        kept: &mut Kept,
+        words: &[i128],
+        bounds: [u32; 4],
+    ) -> Option<Answer> {
         let mut answer = Answer::default();
-        if x0 >= x1 || y0 >= y1 {
-            return answer;
+        let edge = Stepper::edge(self.widths.edge);
+        let read = self.widths.read;
+        let held: Vec<i128> = HELD
+            .iter()
+            .zip(&words[..words.len() - 1])
+            .enumerate()
+            .map(|(k, (name, word))| {
+                let width = if k < 9 { edge.width } else { read.map_or(1, |read| read.width()) };
+                path.word(name, *word, width)
+            })
+            .collect();
+        let flag = *words.last().unwrap_or(&0);
+        let nothing = path.when("the flag of no area stops the engine", flag != 0);
+        answer.zero_area = path.when("the flag of no area is handed on", flag != 0);
+        let [x0, y0, x1, y1] = bounds.map(i128::from);
+        let left = path.word("the held left side", x0, PIXEL);
+        let right = path.word("the held right side", x1, PIXEL);
+        let top = path.word("the held top", y0, PIXEL);
+        let bottom = path.word("the held bottom", y1, PIXEL);
+        kept.spans = path.choose(
+            "spans at a new record",
+            0,
+            [("zero", 0), ("the count so far", kept.spans), ("one", 1)],
+        );
+        kept.samples = path.choose(
+            "samples at a new record",
+            0,
+            [("zero", 0), ("the count so far", kept.samples), ("one", 1)],
+        );
+        let narrow =
+            path.compare("an empty box: left and right", left, Relation::GreaterOrEqual, right);
+        let flat =
+            path.compare("an empty box: top and bottom", top, Relation::GreaterOrEqual, bottom);
+        let done = path.when("nothing to draw", nothing || narrow || flat);
+        if !done {
+            let triple = |k: usize| [held[k], held[k + 1], held[k + 2]];
+            let mut edges =
+                [0, 3, 6].map(|k| Plane::new(path, (edge, &EDGE), triple(k), [left, top]));
+            let mut plane = read.map(|read| {
+                Plane::new(path, (Stepper::depth(read), &DEPTH), triple(9), [left, top])
+            });
+            self.walk(
+                path,
+                kept,
+                (&mut edges, plane.as_mut()),
+                [left, right, top, bottom],
+                &mut answer,
+            )?;
         }
-        let corner = |[value, dx, dy]: [i128; 3], depth: bool| {
-            let (x, y) = (i128::from(x0), i128::from(y0));
-            let (across, down) = match self.slip {
-                EngineSlip::CornerSwapped if depth => (y, x),
-                EngineSlip::CornerFlat if !depth => (x, 0),
-                EngineSlip::DepthToTheRight if depth => (x + 1, y),
-                _ => (x, y),
-            };
-            value.wrapping_add(dx.wrapping_mul(across)).wrapping_add(dy.wrapping_mul(down))
-        };
-        let edge_slip = if let EngineSlip::Edge(slip) = self.slip { Some(slip) } else { None };
-        let depth_slip = if let EngineSlip::Depth(slip) = self.slip { Some(slip) } else { None };
-        let triple = |k: usize| [words[k], words[k + 1], words[k + 2]];
-        let mut edges = [0, 3, 6].map(|k| {
-            let [e, a, b] = triple(k);
-            Plane::new(edge_slip, self.edge_width, [e, a, b], corner([e, a, b], false), [a, b])
-        });
-        let mut plane = self.read.map(|read| {
-            let [z, dx, dy] = triple(9);
-            let run = if self.slip == EngineSlip::DepthStepsDown { [dy, dx] } else { [dx, dy] };
-            Plane::new(depth_slip, read.width(), [z, dx, dy], corner([z, dx, dy], true), run)
-        });
-        let right = x1 - u32::from(self.slip == EngineSlip::LastColumn);
-        let rows = if self.slip == EngineSlip::LastRow { (y1 - y0 - 1).max(1) } else { y1 - y0 };
-        for y in y0..y0 + rows {
-            let mut first = None;
-            for x in x0..=right {
-                let covered = x < right && self.covers(&edges);
-                if covered {
-                    first.get_or_insert(x);
-                    answer.samples += 1;
-                    if let (Some(plane), Some(read)) = (&plane, self.read) {
-                        answer.depths.push((x, y, self.value(read, plane.run.pattern)));
-                    }
-                } else if let Some(first) = first.take() {
-                    answer.spans.push(Span { y, x0: first, x1: x });
+        answer.span_count = u64::try_from(path.word("the count of spans", kept.spans, 32)).ok()?;
+        answer.sample_count =
+            u64::try_from(path.word("the count of samples", kept.samples, 32)).ok()?;
+        Some(answer)
+    }
+
+    fn walk(
+        &self,
+        path: &Path,
+        kept: &mut Kept,
+        (edges, mut plane): (&mut [Plane<'_>; 3], Option<&mut Plane<'_>>),
+        [left, right, top, bottom]: [i128; 4],
+        answer: &mut Answer,
+    ) -> Option<()> {
+        let pixel = |value: i128| u32::try_from(value & ((1 << PIXEL) - 1)).unwrap_or_default();
+        let (mut x, mut y) = (left, top);
+        let (mut in_run, mut first) = (false, 0);
+        // A walk that has gone far beyond its box does not end.
+        let most = (right - left + 3) * (bottom - top + 3) * 2 + 64;
+        for _ in 0..most {
+            let at_end =
+                path.compare("end of a row: x and the right side", x, Relation::Equal, right);
+            let inside = [0, 1, 2].map(|k| stepper::inside(path, self.widths.edge, edges[k].run));
+            let inside = path.all("inside all three edges", inside);
+            let covered = path.when(
+                "a sample is covered",
+                inside && !path.when("no sample beyond the right side", at_end),
+            );
+            let closes = path.when("a run ends", in_run && !covered);
+            if covered {
+                kept.samples =
+                    path.sum("the counter of samples", Operator::Add, [kept.samples, 1], 32);
+                if path.when("a run begins", !in_run) {
+                    first = x;
                 }
-                edges.iter_mut().chain(&mut plane).for_each(Plane::right);
-            }
-            for edge in &mut edges {
-                edge.down(self.slip == EngineSlip::EdgeRowAbove);
-            }
-            if let Some(plane) = &mut plane {
-                plane.down(self.slip == EngineSlip::DepthRowAbove);
-            }
-        }
-        self.number(&mut answer);
-        answer
-    }
-
-    fn covers(&self, edges: &[Plane; 3]) -> bool {
-        let sign = if let EngineSlip::Sign(slip) = self.slip { Some(slip) } else { None };
-        let inside = |edge: &Plane| SignSlip::inside(sign, self.edge_width, edge.run.pattern);
-        match self.slip {
-            EngineSlip::AnyEdge => edges.iter().any(inside),
-            EngineSlip::EdgeUnseen(n) => {
-                edges.iter().enumerate().all(|(k, edge)| k == n || inside(edge))
-            }
-            _ => edges.iter().all(inside),
-        }
-    }
-
-    fn value(&self, read: ReadOut, pattern: u128) -> u64 {
-        match self.slip {
-            EngineSlip::Read(slip) => slip.read(read, pattern),
-            _ => read.read(pattern.cast_signed()),
-        }
-    }
-
-    /// Slips of numbers alone.
-    fn number(&self, answer: &mut Answer) {
-        match self.slip {
-            EngineSlip::ColumnsLate => {
-                for span in &mut answer.spans {
-                    (span.x0, span.x1) = (span.x0 + 1, span.x1 + 1);
+                if let (Some(plane), Some(read)) = (&plane, self.widths.read) {
+                    let value = stepper::read(path, read, plane.run);
+                    let sample_x = path.sum("x of a sample", Operator::Add, [x, 0], 2);
+                    let sample_y = path.sum("y of a sample", Operator::Add, [y, 0], 2);
+                    answer.depths.push((
+                        pixel(sample_x),
+                        pixel(sample_y),
+                        value.cast_unsigned() as u64,
+                    ));
                 }
-                answer.depths.iter_mut().for_each(|(x, _, _)| *x += 1);
             }
-            EngineSlip::LeftEndLate => answer.spans.iter_mut().for_each(|span| span.x0 += 1),
-            _ => {}
+            if closes {
+                kept.spans = path.sum("the counter of spans", Operator::Add, [kept.spans, 1], 32);
+                let begin = path.sum("the left end of a run", Operator::Add, [first, 0], 2);
+                let end = path.sum("the right end of a run", Operator::Add, [x, 0], 2);
+                let row = path.sum("y of a run", Operator::Add, [y, 0], 2);
+                answer.spans.push(Span { y: pixel(row), x0: pixel(begin), x1: pixel(end) });
+            }
+            in_run = path.when("samples so far are a run", covered);
+            if !at_end {
+                x = path.sum("x of the next sample", Operator::Add, [x, 1], PIXEL)
+                    & ((1 << PIXEL) - 1);
+                edges.iter_mut().for_each(Plane::right);
+                if let Some(plane) = plane.as_deref_mut() {
+                    plane.right();
+                }
+                continue;
+            }
+            let next = path.sum("the next row's y", Operator::Add, [y, 1], PIXEL);
+            let last = path.compare(
+                "the last row: the next y and the bottom",
+                next,
+                Relation::GreaterOrEqual,
+                bottom,
+            );
+            if last {
+                return Some(());
+            }
+            x = path.choose(
+                "x at the beginning of a row",
+                0,
+                [("the left side", left), ("zero", 0), ("where the row above ended", x)],
+            );
+            y = next;
+            edges.iter_mut().for_each(Plane::down);
+            if let Some(plane) = plane.as_deref_mut() {
+                plane.down();
+            }
         }
+        None
     }
 }

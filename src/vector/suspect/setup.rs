@@ -1,6 +1,7 @@
 //! Suspects of the set-up.
 
-use super::unit::{SetupSlip, Unit};
+use super::fault::Path;
+use super::unit::Unit;
 use super::{Suspect, Suspects};
 use crate::model::Model;
 use crate::profile::neighbours;
@@ -32,9 +33,13 @@ impl Suspects for SetupBench {
             list.push(Suspect::new(self, NO_SWAP, device));
         }
         if is_plain(self.model()) {
-            list.extend(SetupSlip::ALL.map(|(slip, change)| {
-                let device = Slipped { slip, model: Arc::clone(self.model()) };
-                Suspect::new(self, change, device)
+            let faults = Path::faults(|path| {
+                let triangle = Triangle { xy: [[0, 0], [2, 0], [0, 2]], z: Some([0; 3]) };
+                unit(self.model()).words(path, &triangle, [0; 3]);
+            });
+            list.extend(faults.into_iter().map(|fault| {
+                let device = Faulty { path: Path::with(&fault), model: Arc::clone(self.model()) };
+                Suspect::at(self, &fault, device)
             }));
         }
         list
@@ -109,20 +114,26 @@ fn is_plain(model: &Model) -> bool {
     model.profile().plain_edges().is_some() && model.depth().is_some_and(exact)
 }
 
-/// A plain unit with a slip.
-struct Slipped {
-    slip: SetupSlip,
+/// The plain unit of a model that has one.
+fn unit(model: &Model) -> Unit<'_> {
+    let Some((edge, depth)) = model.profile().plain_edges().zip(model.depth()) else {
+        unreachable!("only a plain unit is suspected of a fault")
+    };
+    let field = &model.ports().input[0];
+    let columns = &model.ports().setup;
+    Unit { edge, depth, grid: grid(model), coordinate: field.width, columns }
+}
+
+/// A plain unit with a fault.
+struct Faulty {
+    path: Path,
     model: Arc<Model>,
 }
 
-impl Device<SetupTest> for Slipped {
+impl Device<SetupTest> for Faulty {
     fn answer(&mut self, test: &SetupTest, rows: &mut Single<Table>, _: &mut Coverage) {
-        let profile = self.model.profile();
-        let parts = profile.plain_edges().zip(self.model.depth()).zip(test.triangle.z);
-        let Some(((edge, depth), z)) = parts else {
-            unreachable!("only a plain unit is suspected of a slip")
-        };
-        let unit = Unit { slip: self.slip, edge, depth, grid: grid(&self.model) };
-        rows.exp.push(&unit.words(&test.triangle, z));
+        self.path.next_record();
+        let z = test.triangle.z.unwrap_or_default();
+        rows.exp.push(&unit(&self.model).words(&self.path, &test.triangle, z));
     }
 }

@@ -1,13 +1,14 @@
 //! Suspects of a triangle engine.
 
-use super::engine::{Answer, Engine, EngineSlip};
+use super::engine::{Engine, Kept};
+use super::fault::{Fault, Path};
 use super::setup::NO_SWAP;
 use super::{Suspect, Suspects};
-use crate::format::Clamp;
 use crate::model::{Drawing, Model, Span};
 use crate::profile::neighbours;
-use crate::value::Depth;
-use crate::vector::bench::{Coverage, TriangleAnswers, TriangleBench, TriangleTest, ready};
+use crate::vector::bench::{
+    Coverage, TriangleAnswers, TriangleBench, TriangleTest, ready, word_engine,
+};
 use crate::vector::device::{Device, Drawer, drawing, grid, summary};
 use crate::vector::table::Table;
 use std::sync::Arc;
@@ -30,18 +31,32 @@ impl Suspects for TriangleBench {
             }));
             list.push(Suspect::new(self, NO_SWAP, Unturned { drawer: Drawer::new(model()) }));
         }
-        if let Some(engine) = plain(self.model()) {
-            for (slip, change) in EngineSlip::all(engine.edge_width, engine.read) {
-                let engine = Engine { slip, ..engine };
-                list.push(Suspect::new(
-                    self,
-                    change,
-                    Slipped { engine, model: model(), counted: 0 },
-                ));
+        if let Some(widths) = word_engine(self.model()) {
+            let engine = Engine { widths };
+            for fault in faults(engine) {
+                let device = Faulty {
+                    engine,
+                    path: Path::with(&fault),
+                    model: model(),
+                    kept: Kept::default(),
+                };
+                list.push(Suspect::at(self, &fault, device));
             }
         }
         list
     }
+}
+
+/// The faults of an engine: those of every part that a small triangle of two rows meets.
+fn faults(engine: Engine) -> Vec<Fault> {
+    Path::faults(|path| {
+        let edge = [2, -1, 0];
+        let inside = [1, 0, 0];
+        let mut words = [edge, inside, inside].concat();
+        words.extend(engine.widths.read.iter().flat_map(|_| [0, 0, 0]));
+        words.push(0);
+        engine.draw(path, &mut Kept::default(), &words, [0, 0, 4, 2]);
+    })
 }
 
 /// How a run of covered samples may be told wrongly.
@@ -129,46 +144,31 @@ impl Device<TriangleTest> for Unturned {
     }
 }
 
-/// The plain engine of a model without a slip worth the name; `None` where none draws the profile.
-fn plain(model: &Model) -> Option<Engine> {
-    let edge = model.profile().plain_edges()?;
-    let read = model.depth().map(Depth::read_out);
-    // A sticky accumulator depends on the way, and a refused triangle has no rows.
-    let told = read.is_none_or(|r| !matches!(r.clamp(), Clamp::Saturate | Clamp::Error));
-    told.then_some(Engine { slip: EngineSlip::LastRow, edge_width: edge.width, read })
-}
-
-/// A plain engine with a slip.
-struct Slipped {
+/// A plain engine with a fault.
+struct Faulty {
     engine: Engine,
+    path: Path,
     /// Counts the events, which no word of an engine tells.
     model: Arc<Model>,
-    /// Samples so far, of an engine that goes on counting.
-    counted: u64,
+    kept: Kept,
 }
 
-impl Device<TriangleTest> for Slipped {
+impl Device<TriangleTest> for Faulty {
     fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
-        let drawing = drawing(&self.model, test);
-        let Answer { spans, depths, mut samples } = if drawing.zero_area {
-            Answer::default()
-        } else {
-            self.engine.draw(&test.setup, test.bounds)
+        let right = drawing(&self.model, test);
+        let Some(answer) = self.engine.draw(&self.path, &mut self.kept, &test.setup, test.bounds)
+        else {
+            // It hangs: nothing comes any more.
+            return;
         };
-        match self.engine.slip {
-            EngineSlip::CountLarge => samples += 1,
-            EngineSlip::CountKept => {
-                self.counted += samples;
-                samples = self.counted;
-            }
-            _ => {}
-        }
-        rows.exp.push(&summary(test.test, (spans.len(), samples), &drawing));
-        for span in &spans {
+        let right = Drawing { zero_area: answer.zero_area, ..right };
+        let spans = usize::try_from(answer.span_count).unwrap_or(usize::MAX);
+        rows.exp.push(&summary(test.test, (spans, answer.sample_count), &right));
+        for span in &answer.spans {
             rows.span(test.test, span);
         }
         if let Some(table) = &mut rows.depths {
-            for (x, y, z) in depths {
+            for (x, y, z) in answer.depths {
                 table.push(&[test.test.into(), y.into(), x.into(), i128::from(z)]);
             }
         }

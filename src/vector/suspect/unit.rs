@@ -1,150 +1,357 @@
-//! A plain set-up unit with a slip: edge functions and an exact quotient, divided bit by bit.
+//! A plain set-up unit as hardware has it, over a [`Path`]: an exchange of two vertices, edge
+//! functions, a gradient, and three quotients divided bit by bit. Clauses `T-3`, `E-1` to `E-4`, `P-2`,
+//! `P-3` and `R-1`.
 
+use super::fault::{Operator, Path, Relation};
+use crate::bits::Rounding;
 use crate::cover::{EdgeStorage, EdgeWordConfig, SampleGrid};
-use crate::setup::{EdgeCoefficients, Gradient, Triangle};
+use crate::format::Column;
+use crate::setup::Triangle;
 use crate::value::Depth;
-use std::cmp::Ordering;
 
-/// A defect of a set-up unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum SetupSlip {
-    SignLost,
-    OneBitShort,
-    StrictFit,
-    TiesToOdd,
-    NoBias,
-    AlwaysBias,
-    BottomOwns,
-    Unturned,
-    SlopesSwapped,
-    StepsSwapped,
-    StepSignA,
-    StepSignB,
-    ZeroAreaWords,
-    SlopesShort,
-}
-
-impl SetupSlip {
-    pub(super) const ALL: [(Self, &'static str); 14] = [
-        (Self::SignLost, "quotients lose their sign"),
-        (Self::OneBitShort, "the divider stops one bit early"),
-        (
-            Self::StrictFit,
-            "the divider subtracts only if the remainder is strictly above the divisor: exact quotients are one too small before rounding",
-        ),
-        (Self::TiesToOdd, "in division, ties go to the odd neighbour"),
-        (Self::NoBias, "no bias: edges own their samples on both sides"),
-        (Self::AlwaysBias, "every edge is biased: no edge owns its samples"),
-        (Self::BottomOwns, "horizontal edges: bottom edges own instead of top edges"),
-        (
-            Self::Unturned,
-            "triangles of negative area are not reversed, and their area loses its sign",
-        ),
-        (Self::SlopesSwapped, "dz/dx and dz/dy are swapped"),
-        (Self::StepsSwapped, "edge steps a and b are swapped"),
-        (Self::StepSignA, "edge steps a have the wrong sign"),
-        (Self::StepSignB, "edge steps b have the wrong sign"),
-        (Self::ZeroAreaWords, "a triangle of no area keeps its edge words"),
-        (Self::SlopesShort, "slopes have one interpolation bit too few"),
-    ];
-}
-
-/// A set-up unit with a slip.
+/// A set-up unit.
 pub(super) struct Unit<'a> {
-    pub(super) slip: SetupSlip,
     pub(super) edge: EdgeWordConfig,
     pub(super) depth: &'a Depth,
     pub(super) grid: SampleGrid,
+    /// Bits of a coordinate.
+    pub(super) coordinate: u32,
+    /// The columns that it answers.
+    pub(super) columns: &'a [Column],
 }
 
+/// What the three uses of a part are called.
+type Three = [&'static str; 3];
+
+const VERTEX_X: Three = ["v0_x", "v1_x", "v2_x"];
+const VERTEX_Y: Three = ["v0_y", "v1_y", "v2_y"];
+const VERTEX_Z: Three = ["v0_z", "v1_z", "v2_z"];
+const EDGE_FROM_X: Three =
+    ["x that edge 0 begins at", "x that edge 1 begins at", "x that edge 2 begins at"];
+const EDGE_FROM_Y: Three =
+    ["y that edge 0 begins at", "y that edge 1 begins at", "y that edge 2 begins at"];
+const EDGE_TO_X: Three =
+    ["x that edge 0 ends at", "x that edge 1 ends at", "x that edge 2 ends at"];
+const EDGE_TO_Y: Three =
+    ["y that edge 0 ends at", "y that edge 1 ends at", "y that edge 2 ends at"];
+const STEP_A: Three = ["step a of edge 0", "step a of edge 1", "step a of edge 2"];
+const STEP_B: Three = ["step b of edge 0", "step b of edge 1", "step b of edge 2"];
+const OUTPUTS: [&str; 12] = [
+    "output edge0_init",
+    "output edge0_dx",
+    "output edge0_dy",
+    "output edge1_init",
+    "output edge1_dx",
+    "output edge1_dy",
+    "output edge2_init",
+    "output edge2_dx",
+    "output edge2_dy",
+    "output depth_init",
+    "output depth_dx",
+    "output depth_dy",
+];
+const NUMERATORS: Three =
+    ["numerator of depth_init", "numerator of depth_dx", "numerator of depth_dy"];
+const SCALES: Three = [
+    "left shift of the numerator of depth_init",
+    "left shift of the numerator of depth_dx",
+    "left shift of the numerator of depth_dy",
+];
+
 impl Unit<'_> {
-    /// Its words, unreduced, and the flag of no area.
-    pub(super) fn words(&self, triangle: &Triangle, z: [i128; 3]) -> Vec<i128> {
-        let (mut xy, mut z) = (triangle.xy, z);
-        let area2 = triangle.area2();
-        if area2 < 0 && self.slip != SetupSlip::Unturned {
-            xy.swap(1, 2);
-            z.swap(1, 2);
-        }
+    /// Its words and the flag of no area.
+    pub(super) fn words(&self, path: &Path, triangle: &Triangle, z: [i128; 3]) -> Vec<i128> {
+        path.within("triangle_setup", || self.set_up(path, triangle, z))
+    }
+
+    fn set_up(&self, path: &Path, triangle: &Triangle, z: [i128; 3]) -> Vec<i128> {
+        let bits = self.coordinate;
+        let coordinate = |name: &'static str, value: i128| path.signed(name, value, bits + 1);
+        let mut x = [0, 1, 2].map(|k| coordinate(VERTEX_X[k], triangle.xy[k][0]));
+        let mut y = [0, 1, 2].map(|k| coordinate(VERTEX_Y[k], triangle.xy[k][1]));
+        let depth_bits = self.depth.read_out().integer();
+        let mut z = [0, 1, 2].map(|k| path.word(VERTEX_Z[k], z[k], depth_bits));
+        let minus = |name, a, b| path.sum(name, Operator::Subtract, [a, b], bits + 2);
+        let [x01, y01] = [minus("x1 - x0", x[1], x[0]), minus("y1 - y0", y[1], y[0])];
+        let [x02, y02] = [minus("x2 - x0", x[2], x[0]), minus("y2 - y0", y[2], y[0])];
+        let area2 = path.sum(
+            "twice the area",
+            Operator::Subtract,
+            [
+                path.product("(x1 - x0) (y2 - y0)", x01, y02),
+                path.product("(x2 - x0) (y1 - y0)", x02, y01),
+            ],
+            2 * bits + 4,
+        );
+        let turned = path.compare("negative area", area2, Relation::Less, 0);
+        let area = path.choose(
+            "magnitude of the area",
+            usize::from(turned),
+            [("the area", area2), ("minus the area", area2.wrapping_neg())],
+        );
+        let zero = path.compare("no area", area2, Relation::Equal, 0);
+        let exchanged = |name, v: [i128; 3], second: bool| {
+            let own = ("vertex 1", v[1]);
+            let other = ("vertex 2", v[2]);
+            let operands = if second { [other, own] } else { [own, other] };
+            path.choose(name, usize::from(turned), operands)
+        };
+        x = [
+            x[0],
+            exchanged("x of the second vertex after the exchange", x, false),
+            exchanged("x of the third vertex after the exchange", x, true),
+        ];
+        y = [
+            y[0],
+            exchanged("y of the second vertex after the exchange", y, false),
+            exchanged("y of the third vertex after the exchange", y, true),
+        ];
+        z = [
+            z[0],
+            exchanged("z of the second vertex after the exchange", z, false),
+            exchanged("z of the third vertex after the exchange", z, true),
+        ];
         let mut words = Vec::new();
         for k in 0..3 {
-            words.extend(self.edge(xy[k], xy[(k + 1) % 3]));
+            words.extend(self.edge(path, k, [x, y]));
         }
-        words.extend(if area2 == 0 { [0; 3] } else { self.plane(xy, z, area2.abs()) });
-        if area2 == 0 && self.slip != SetupSlip::ZeroAreaWords {
-            words.fill(0);
+        words.extend(self.plane(path, [x, y, z], area));
+        let live = !path.when("words of a triangle without area are zero", zero);
+        for ((word, name), column) in words.iter_mut().zip(OUTPUTS).zip(self.columns) {
+            *word = path.signed(name, if live { *word } else { 0 }, column.width);
         }
-        words.push(i128::from(area2 == 0));
+        // One output in the place of another.
+        let swaps = [
+            ("columns of edge 0", [0, 1, 2]),
+            ("columns of edge 1", [3, 4, 5]),
+            ("columns of edge 2", [6, 7, 8]),
+            ("columns of the plane", [9, 10, 11]),
+        ];
+        for (name, at) in swaps {
+            let operands = [("init", words[at[0]]), ("dx", words[at[1]]), ("dy", words[at[2]])];
+            for (pick, place) in at.into_iter().enumerate() {
+                words[place] = path.choose(name, pick, operands);
+            }
+        }
+        words.push(path.choose("output zero_area", usize::from(zero), [("0", 0), ("1", 1)]));
         words
     }
 
-    fn edge(&self, from: [i128; 2], to: [i128; 2]) -> [i128; 3] {
-        let edge = EdgeCoefficients::between(from, to);
-        let [ex, ey] = edge.direction();
-        let owns = match self.slip {
-            SetupSlip::NoBias => true,
-            SetupSlip::AlwaysBias => false,
-            // A horizontal edge turned round.
-            SetupSlip::BottomOwns if ey == 0 => self.edge.rule.owns([-ex, ey]),
-            _ => self.edge.rule.owns([ex, ey]),
+    /// An edge function at the sample of pixel (0, 0), and its steps.
+    fn edge(&self, path: &Path, k: usize, [x, y]: [[i128; 3]; 2]) -> [i128; 3] {
+        let end = |name, v: [i128; 3], pick| {
+            path.choose(
+                name,
+                pick,
+                [
+                    ("the first vertex", v[0]),
+                    ("the second vertex", v[1]),
+                    ("the third vertex", v[2]),
+                ],
+            )
         };
-        let [x, y] = self.grid.offset;
-        let value = edge.at(x, y) - i128::from(!owns);
+        let next = (k + 1) % 3;
+        let (fx, fy) = (end(EDGE_FROM_X[k], x, k), end(EDGE_FROM_Y[k], y, k));
+        let (tx, ty) = (end(EDGE_TO_X[k], x, next), end(EDGE_TO_Y[k], y, next));
+        let bits = self.coordinate + 2;
+        let minus = |name, a, b| path.sum(name, Operator::Subtract, [a, b], bits);
+        let (ex, ey) =
+            (minus("ex = tx - fx of an edge", tx, fx), minus("ey = ty - fy of an edge", ty, fy));
+        // Two conditions and what they meet: a left edge, or a horizontal one on top.
+        let left = match self.edge.rule {
+            crate::cover::FillRule::TopLeft => path.compare("left edge: ey", ey, Relation::Less, 0),
+            _ => path.compare("owning side: ey", ey, Relation::Greater, 0),
+        };
+        let level = path.compare("horizontal edge: ey", ey, Relation::Equal, 0);
+        let top = path.compare("top edge: ex", ex, Relation::Greater, 0);
+        let top = path.all("top edge (horizontal, ex > 0)", [level, top]);
+        let owns = path.when("an edge owns its samples as a left edge", left)
+            || path.when("an edge owns its samples as a top edge", top);
+        let owns = path.when("an edge owns its samples", owns);
+        let bias = path.choose("bias of an edge", usize::from(owns), [("one", 1), ("none", 0)]);
+        let [sx, sy] = self.grid.offset;
+        let (sx, sy) = (
+            path.number("x of the sample in the edge function", sx),
+            path.number("y of the sample in the edge function", sy),
+        );
+        let down = minus("sample y - fy of an edge", sy, fy);
+        let across = minus("sample x - fx of an edge", sx, fx);
+        let value = path.sum(
+            "the edge function",
+            Operator::Subtract,
+            [
+                path.product("ex (sample y - fy)", ex, down),
+                path.product("ey (sample x - fx)", ey, across),
+            ],
+            2 * bits,
+        );
+        let value =
+            path.sum("the bias of an edge function", Operator::Subtract, [value, bias], 2 * bits);
         let (shift, scale) = match self.edge.storage {
             EdgeStorage::Full => (0, self.grid.sub_pixel),
             EdgeStorage::Shifted => (self.grid.sub_pixel, 0),
         };
-        let (a, b) = (edge.a << scale, edge.b << scale);
-        let (a, b) = match self.slip {
-            SetupSlip::StepsSwapped => (b, a),
-            SetupSlip::StepSignA => (-a, b),
-            SetupSlip::StepSignB => (a, -b),
-            _ => (a, b),
-        };
-        [value >> shift, a, b]
+        let shift = path.number("low bits of an edge value that are dropped", shift.into());
+        let a = path.sum("step a = fy - ty of an edge", Operator::Subtract, [fy, ty], bits);
+        let b = path.sum("step b = tx - fx of an edge", Operator::Subtract, [tx, fx], bits);
+        let a = path.choose(
+            STEP_A[k],
+            0,
+            [("fy - ty", a), ("tx - fx", b), ("ty - fy", a.wrapping_neg())],
+        );
+        let b = path.choose(
+            STEP_B[k],
+            0,
+            [("tx - fx", b), ("fy - ty", fy - ty), ("fx - tx", b.wrapping_neg())],
+        );
+        [value >> shift.clamp(0, 100), a << scale, b << scale]
     }
 
-    fn plane(&self, xy: [[i128; 2]; 3], z: [i128; 3], area2: i128) -> [i128; 3] {
-        let gradient = Gradient::new(&Triangle { xy, z: Some(z) }, z);
-        let ([x0, y0], z0) = gradient.anchor;
-        let [x, y] = self.grid.offset;
-        let start = z0 * area2 + gradient.x * (x - x0) + gradient.y * (y - y0);
-        let fraction = self.depth.read_out().fraction();
-        let short = u32::from(self.slip == SetupSlip::SlopesShort);
-        let scale = (self.grid.sub_pixel + fraction).saturating_sub(short);
-        let start = self.divide(start << fraction, area2) + self.depth.start_bias();
-        let slope = |numerator: i128| self.divide(numerator << scale, area2);
-        let (dx, dy) = (slope(gradient.x), slope(gradient.y));
-        if self.slip == SetupSlip::SlopesSwapped { [start, dy, dx] } else { [start, dx, dy] }
+    /// The plane at the sample of pixel (0, 0), and its slopes.
+    fn plane(&self, path: &Path, [x, y, z]: [[i128; 3]; 3], area: i128) -> [i128; 3] {
+        let bits = self.coordinate + 2;
+        let minus = |name, a, b| path.sum(name, Operator::Subtract, [a, b], bits);
+        let (zab, zac) = (minus("zb - za", z[1], z[0]), minus("zc - za", z[2], z[0]));
+        let (xab, yab) = (minus("xb - xa", x[1], x[0]), minus("yb - ya", y[1], y[0]));
+        let (xac, yac) = (minus("xc - xa", x[2], x[0]), minus("yc - ya", y[2], y[0]));
+        let wide = 2 * bits;
+        let gx = path.sum(
+            "the numerator dz/dx",
+            Operator::Subtract,
+            [
+                path.product("(zb - za) (yc - ya)", zab, yac),
+                path.product("(zc - za) (yb - ya)", zac, yab),
+            ],
+            wide,
+        );
+        let gy = path.sum(
+            "the numerator dz/dy",
+            Operator::Subtract,
+            [
+                path.product("(xb - xa) (zc - za)", xab, zac),
+                path.product("(xc - xa) (zb - za)", xac, zab),
+            ],
+            wide,
+        );
+        let [sx, sy] = self.grid.offset;
+        let (sx, sy) = (
+            path.number("x of the sample in the plane", sx),
+            path.number("y of the sample in the plane", sy),
+        );
+        let right = path.product("dz/dx (sample x - xa)", gx, minus("sample x - xa", sx, x[0]));
+        let down = path.product("dz/dy (sample y - ya)", gy, minus("sample y - ya", sy, y[0]));
+        let base = path.product("za times the area", z[0], area);
+        let gz = path.sum("the start's first sum", Operator::Add, [base, right], wide);
+        let gz = path.sum("the start's second sum", Operator::Add, [gz, down], wide);
+        let fraction = i128::from(self.depth.read_out().fraction());
+        let slope = fraction + i128::from(self.grid.sub_pixel);
+        let numerators = [("the start's", gz), ("dz/dx", gx), ("dz/dy", gy)];
+        let [start, dx, dy] = [0, 1, 2].map(|k| {
+            let numerator = path.choose(NUMERATORS[k], k, numerators);
+            let scale = path.number(SCALES[k], if k == 0 { fraction } else { slope });
+            let slopes = if k == 0 {
+                scale
+            } else {
+                path.number("left shift of the numerators of both slopes", scale)
+            };
+            path.within("setup_divider", || {
+                self.divide(path, numerator << slopes.clamp(0, 64), area)
+            })
+        });
+        let bias = path.number("the start's half step", self.depth.start_bias());
+        [path.sum("the start's bias", Operator::Add, [start, bias], 64), dx, dy]
     }
 
-    /// Restoring division of magnitudes, then the rounding by sign and remainder.
-    fn divide(&self, numerator: i128, divisor: i128) -> i128 {
-        let (d, negative) = (divisor.unsigned_abs(), numerator < 0);
-        let n = numerator.unsigned_abs();
-        let last = u32::from(self.slip == SetupSlip::OneBitShort);
-        let (mut q, mut r) = (0u128, 0u128);
-        for bit in (last..128).rev() {
-            r = r.wrapping_shl(1) | n >> bit & 1;
-            let fits = if self.slip == SetupSlip::StrictFit { r > d } else { r >= d };
-            if fits {
-                r -= d;
-            }
-            q = q << 1 | u128::from(fits);
+    /// Division of magnitudes, rounded by sign, remainder and the quotient's lowest bit.
+    fn divide(&self, path: &Path, numerator: i128, divisor: i128) -> i128 {
+        let negative = path.compare("the divider's sign: numerator", numerator, Relation::Less, 0);
+        let n = path
+            .choose(
+                "the divider's magnitude",
+                usize::from(negative),
+                [("the numerator", numerator), ("minus the numerator", numerator.wrapping_neg())],
+            )
+            .cast_unsigned();
+        let d = divisor.cast_unsigned();
+        if d == 0 {
+            // Nobody reads that quotient.
+            return -1;
         }
-        // The rounding of q + r / d is that of its parity and of a remainder in quarters.
-        let quarters = match (r, r.wrapping_mul(2).cmp(&d)) {
-            (0, _) => 0,
-            (_, Ordering::Less) => 1,
-            (_, Ordering::Equal) => 2,
-            (_, Ordering::Greater) => 3,
+        let (mut q, mut r) = (n / d, n % d);
+        let strict = path.choose(
+            "the divider subtracts where remainder",
+            0,
+            [(">= divisor", 0), ("> divisor", 1)],
+        );
+        if strict == 1 && r == 0 && q > 0 {
+            // An exact quotient leaves the whole divisor as its remainder.
+            (q, r) = (q - 1, d);
+        }
+        if path.when("the divider stops one bit early", false) {
+            (q, r) = (q >> 1, (q & 1) * d + r);
+        }
+        let r = path
+            .choose(
+                "the divider's remainder",
+                0,
+                [
+                    ("the remainder", r.cast_signed()),
+                    ("zero", 0),
+                    ("twice the remainder", (2 * r).cast_signed()),
+                    ("half the remainder", (r >> 1).cast_signed()),
+                ],
+            )
+            .cast_unsigned();
+        let q = path.sum("the quotient", Operator::Add, [q.cast_signed(), 0], 2);
+        let d = d.cast_signed();
+        let twice = r.cast_signed().wrapping_mul(2);
+        let inexact = path.compare("inexact: remainder", r.cast_signed(), Relation::Unequal, 0);
+        let over = path.compare(
+            "more than half: twice the remainder against the divisor",
+            twice,
+            Relation::Greater,
+            d,
+        );
+        let tie = path.compare(
+            "a tie: twice the remainder against the divisor",
+            twice,
+            Relation::Equal,
+            d,
+        );
+        let odd = path.choose(
+            "the bit that decides a tie",
+            0,
+            [
+                ("the quotient's lowest bit", q & 1),
+                ("its second bit", q >> 1 & 1),
+                ("its third bit", q >> 2 & 1),
+            ],
+        ) == 1;
+        let odd = path.when("an odd quotient", odd);
+        let minus = path.when("a negative quotient, for its rounding", negative);
+        let up = match self.depth.config().rounding {
+            Rounding::Floor => inexact && minus,
+            Rounding::Ceiling => inexact && !minus,
+            Rounding::TowardZero => false,
+            Rounding::AwayFromZero => inexact,
+            Rounding::NearestEven => over || path.all("rounded up in a tie (tie, odd)", [tie, odd]),
+            Rounding::NearestUp => {
+                over || path.all("rounded up in a tie (tie, not negative)", [tie, !minus])
+            }
+            Rounding::NearestDown => {
+                over || path.all("rounded up in a tie (tie, negative)", [tie, minus])
+            }
+            Rounding::NearestAway => over || tie,
+            Rounding::NearestTowardZero => over,
+            Rounding::Odd => path.all("rounded up (inexact, even)", [inexact, !odd]),
         };
-        let odd =
-            (q & 1).cast_signed() ^ i128::from(self.slip == SetupSlip::TiesToOdd && quarters == 2);
-        let near = if negative { -(4 * odd + quarters) } else { 4 * odd + quarters };
-        let rounded =
-            self.depth.config().rounding.divide(near, 4).map_or(odd, |(near, _)| near.abs());
-        let magnitude = q.cast_signed() + rounded - odd;
-        if negative && self.slip != SetupSlip::SignLost { -magnitude } else { magnitude }
+        let up = path.when("the quotient is rounded up", up);
+        let magnitude =
+            path.sum("the sum that rounds the quotient", Operator::Add, [q, i128::from(up)], 8);
+        path.choose(
+            "the quotient's sign",
+            usize::from(negative),
+            [("plus", magnitude), ("minus", magnitude.wrapping_neg())],
+        )
     }
 }

@@ -106,8 +106,7 @@ pub fn account(bench: &dyn Bench, emitted: &Emitted) -> (Vec<GroupEntry>, Covera
             rows,
         })
         .collect();
-    let Cells { hit, unreachable, open } =
-        emitted.coverage.report(bench.shape(), &bench.goals());
+    let Cells { hit, unreachable, open } = emitted.coverage.report(bench.shape(), &bench.goals());
     (groups, CoverageEntry { bench: name, cells: hit, unreachable, open })
 }
 

@@ -1,0 +1,461 @@
+//! The grammar of single faults: every operator, operand, word, condition and register of a unit can
+//! be wrong in the ways that its kind can be. A unit is written once, as hardware computes it, over a
+//! [`Path`]; the list of its suspects is what the path meets. Nothing here knows a remembered bug.
+
+use std::cell::{Cell, RefCell};
+
+/// What is wrong at a site.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wrong {
+    /// The operator is another.
+    Operator(Operator),
+    /// The carry into this bit is lost.
+    CarryLost(u32),
+    /// A bit is stuck.
+    Stuck(u32, bool),
+    /// This many of the highest bits are lost.
+    Short(u32),
+    /// Shifted to the left by so many bits; to the right if negative.
+    Shifted(i32),
+    /// Off by a constant.
+    Off(i128),
+    /// Its sign is turned.
+    Negated,
+    /// Every bit is turned.
+    Complement,
+    /// It is this constant.
+    Constant(i128),
+    /// What the record before had.
+    Stale,
+    /// What it was a clock ago.
+    Late,
+    /// The relation of a comparison is another.
+    Relation(Relation),
+    /// A condition that is always the same.
+    Always(bool),
+    /// A condition that is turned.
+    Turned,
+    /// Where the first of these belongs, the second is taken.
+    Instead(usize, usize),
+    /// Two operands have changed places.
+    Exchanged(usize, usize),
+    /// Any one of several conditions is enough.
+    Any,
+    /// One of several conditions is not looked at.
+    Unseen(usize),
+}
+
+/// An operator of two words.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Operator {
+    Add,
+    Subtract,
+    /// The second less the first.
+    Reversed,
+    And,
+    Or,
+    Xor,
+    First,
+    Second,
+}
+
+impl Operator {
+    const SUMS: [Self; 8] = [
+        Self::Add,
+        Self::Subtract,
+        Self::Reversed,
+        Self::And,
+        Self::Or,
+        Self::Xor,
+        Self::First,
+        Self::Second,
+    ];
+    const PRODUCTS: [Self; 4] = [Self::Add, Self::Subtract, Self::First, Self::Second];
+
+    fn apply(self, a: i128, b: i128) -> i128 {
+        match self {
+            Self::Add => a.wrapping_add(b),
+            Self::Subtract => a.wrapping_sub(b),
+            Self::Reversed => b.wrapping_sub(a),
+            Self::And => a & b,
+            Self::Or => a | b,
+            Self::Xor => a ^ b,
+            Self::First => a,
+            Self::Second => b,
+        }
+    }
+
+    fn text(self) -> &'static str {
+        match self {
+            Self::Add => "adds",
+            Self::Subtract => "subtracts",
+            Self::Reversed => "subtracts the other way round",
+            Self::And => "is a bitwise and",
+            Self::Or => "is a bitwise or",
+            Self::Xor => "is an exclusive or (no carries)",
+            Self::First => "leaves out its second operand",
+            Self::Second => "leaves out its first operand",
+        }
+    }
+}
+
+/// A relation of two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Relation {
+    Less,
+    LessOrEqual,
+    Equal,
+    Unequal,
+    GreaterOrEqual,
+    Greater,
+}
+
+impl Relation {
+    const ALL: [Self; 6] = [
+        Self::Less,
+        Self::LessOrEqual,
+        Self::Equal,
+        Self::Unequal,
+        Self::GreaterOrEqual,
+        Self::Greater,
+    ];
+
+    fn holds(self, a: i128, b: i128) -> bool {
+        match self {
+            Self::Less => a < b,
+            Self::LessOrEqual => a <= b,
+            Self::Equal => a == b,
+            Self::Unequal => a != b,
+            Self::GreaterOrEqual => a >= b,
+            Self::Greater => a > b,
+        }
+    }
+
+    fn text(self) -> &'static str {
+        match self {
+            Self::Less => "<",
+            Self::LessOrEqual => "<=",
+            Self::Equal => "==",
+            Self::Unequal => "!=",
+            Self::GreaterOrEqual => ">=",
+            Self::Greater => ">",
+        }
+    }
+}
+
+/// What stands at a site.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Kind {
+    /// A sum or difference of so many bits.
+    Sum(Operator, u32),
+    Product,
+    /// A word of so many bits.
+    Word(u32),
+    /// A number, such as a distance in a shift or an end of a range.
+    Number,
+    /// What a register takes at each clock.
+    Clocked,
+    Comparison(Relation),
+    Condition,
+    /// A choice between operands of these names.
+    Choice(Vec<&'static str>),
+    /// So many conditions that must all hold.
+    All(usize),
+}
+
+/// A place in a unit where a fault can be.
+#[derive(Clone, Debug)]
+struct Site {
+    name: &'static str,
+    module: &'static str,
+    kind: Kind,
+}
+
+/// A single fault of a unit.
+#[derive(Clone, Debug)]
+pub(super) struct Fault {
+    /// Where: what the datapath calls it.
+    pub(super) site: &'static str,
+    /// The module that it is in.
+    pub(super) module: &'static str,
+    pub(super) wrong: Wrong,
+    /// In words.
+    pub(super) text: String,
+}
+
+/// The way of words through a unit, right or with one fault.
+pub(super) struct Path {
+    fault: Option<(&'static str, Wrong)>,
+    /// The sites met, for a path that looks for them.
+    met: Option<RefCell<Vec<Site>>>,
+    /// The module that the words are in.
+    module: Cell<&'static str>,
+    /// What the faulty word was in this record and in the one before.
+    kept: Cell<[i128; 2]>,
+}
+
+impl Path {
+    /// A path with a fault.
+    pub(super) fn with(fault: &Fault) -> Self {
+        Self { fault: Some((fault.site, fault.wrong)), ..Self::right() }
+    }
+
+    /// A path without a fault.
+    pub(super) fn right() -> Self {
+        Self { fault: None, met: None, module: Cell::new(""), kept: Cell::default() }
+    }
+
+    /// The faults of a unit: `run` takes the unit through something that meets all of its sites.
+    pub(super) fn faults(run: impl FnOnce(&Self)) -> Vec<Fault> {
+        let path = Self { met: Some(RefCell::default()), ..Self::right() };
+        run(&path);
+        let sites = path.met.unwrap_or_default().into_inner();
+        sites.iter().flat_map(Site::faults).collect()
+    }
+
+    fn at(&self, name: &'static str, kind: impl FnOnce() -> Kind) -> Option<Wrong> {
+        if let Some(met) = &self.met {
+            let mut met = met.borrow_mut();
+            if met.iter().all(|site| site.name != name) {
+                met.push(Site { name, module: self.module.get(), kind: kind() });
+            }
+        }
+        self.fault.filter(|(site, _)| *site == name).map(|(_, wrong)| wrong)
+    }
+
+    /// Takes words through a part that is a module of its own.
+    pub(super) fn within<T>(&self, module: &'static str, part: impl FnOnce() -> T) -> T {
+        let outer = self.module.replace(module);
+        let made = part();
+        self.module.set(outer);
+        made
+    }
+
+    /// A sum or a difference, of which `width` bits count.
+    pub(super) fn sum(
+        &self,
+        name: &'static str,
+        operator: Operator,
+        [a, b]: [i128; 2],
+        width: u32,
+    ) -> i128 {
+        match self.at(name, || Kind::Sum(operator, width)) {
+            Some(Wrong::Operator(other)) => other.apply(a, b),
+            Some(Wrong::Off(by)) => operator.apply(a, b).wrapping_add(by),
+            Some(Wrong::CarryLost(bit)) => {
+                let below = (1i128 << bit) - 1;
+                // A difference adds the complement and one.
+                let (b, one) = if operator == Operator::Subtract { (!b, 1) } else { (b, 0) };
+                let low = (a & below).wrapping_add(b & below).wrapping_add(one) & below;
+                (a & !below).wrapping_add(b & !below) | low
+            }
+            _ => operator.apply(a, b),
+        }
+    }
+
+    /// A product.
+    pub(super) fn product(&self, name: &'static str, a: i128, b: i128) -> i128 {
+        match self.at(name, || Kind::Product) {
+            Some(Wrong::Operator(other)) => other.apply(a, b),
+            Some(Wrong::Constant(value)) => value,
+            _ => a.wrapping_mul(b),
+        }
+    }
+
+    /// The low `width` bits of a word, as an unsigned pattern.
+    pub(super) fn word(&self, name: &'static str, value: i128, width: u32) -> i128 {
+        let ones = low_ones(width);
+        let value = value & ones;
+        let Some(wrong) = self.at(name, || Kind::Word(width)) else { return value };
+        ones & match wrong {
+            Wrong::Stuck(bit, true) => value | 1 << bit,
+            Wrong::Stuck(bit, false) => value & !(1 << bit),
+            Wrong::Short(bits) => value & low_ones(width - bits),
+            Wrong::Shifted(by) if by > 0 => value << by,
+            Wrong::Shifted(by) => value >> -by,
+            Wrong::Off(by) => value.wrapping_add(by),
+            Wrong::Negated => value.wrapping_neg(),
+            Wrong::Complement => !value,
+            Wrong::Constant(constant) => constant,
+            Wrong::Stale => {
+                let [_, before] = self.kept.get();
+                self.kept.set([value, before]);
+                before
+            }
+            _ => value,
+        }
+    }
+
+    /// A signed word of `width` bits.
+    pub(super) fn signed(&self, name: &'static str, value: i128, width: u32) -> i128 {
+        sign_extend(self.word(name, value, width), width)
+    }
+
+    /// A number that can be off by one, such as a distance or an end.
+    pub(super) fn number(&self, name: &'static str, value: i128) -> i128 {
+        match self.at(name, || Kind::Number) {
+            Some(Wrong::Off(by)) => value + by,
+            Some(Wrong::Constant(constant)) => constant,
+            _ => value,
+        }
+    }
+
+    /// What comes in at a clock.
+    pub(super) fn clocked(&self, name: &'static str, value: i128) -> i128 {
+        if self.at(name, || Kind::Clocked) != Some(Wrong::Late) {
+            return value;
+        }
+        let [before, _] = self.kept.replace([value, 0]);
+        before
+    }
+
+    /// A comparison.
+    pub(super) fn compare(&self, name: &'static str, a: i128, relation: Relation, b: i128) -> bool {
+        match self.at(name, || Kind::Comparison(relation)) {
+            Some(Wrong::Relation(other)) => other.holds(a, b),
+            Some(Wrong::Off(by)) => relation.holds(a, b.wrapping_add(by)),
+            Some(Wrong::Always(value)) => value,
+            _ => relation.holds(a, b),
+        }
+    }
+
+    /// A condition.
+    pub(super) fn when(&self, name: &'static str, condition: bool) -> bool {
+        match self.at(name, || Kind::Condition) {
+            Some(Wrong::Always(value)) => value,
+            Some(Wrong::Turned) => !condition,
+            _ => condition,
+        }
+    }
+
+    /// Whether all of several conditions hold.
+    pub(super) fn all<const N: usize>(&self, name: &'static str, conditions: [bool; N]) -> bool {
+        match self.at(name, || Kind::All(N)) {
+            Some(Wrong::Any) => conditions.contains(&true),
+            Some(Wrong::Unseen(n)) => (0..N).all(|k| k == n || conditions[k]),
+            _ => !conditions.contains(&false),
+        }
+    }
+
+    /// One of several operands.
+    pub(super) fn choose<const N: usize>(
+        &self,
+        name: &'static str,
+        pick: usize,
+        operands: [(&'static str, i128); N],
+    ) -> i128 {
+        let picked = match self.at(name, || Kind::Choice(operands.map(|(name, _)| name).to_vec())) {
+            Some(Wrong::Instead(belongs, taken)) if pick == belongs => taken,
+            Some(Wrong::Exchanged(a, b)) if pick == a => b,
+            Some(Wrong::Exchanged(a, b)) if pick == b => a,
+            _ => pick,
+        };
+        operands[picked].1
+    }
+
+    /// The next record begins: what words were is now what they were before.
+    pub(super) fn next_record(&self) {
+        let [now, _] = self.kept.get();
+        self.kept.set([now, now]);
+    }
+}
+
+/// This many ones.
+pub(super) fn low_ones(width: u32) -> i128 {
+    if width == 0 { 0 } else { (u128::MAX >> (128 - width)).cast_signed() }
+}
+
+/// The signed value of the low `width` bits.
+pub(super) fn sign_extend(value: i128, width: u32) -> i128 {
+    value << (128 - width) >> (128 - width)
+}
+
+impl Site {
+    /// What can be wrong here.
+    fn faults(&self) -> Vec<Fault> {
+        let (name, module) = (self.name, self.module);
+        let fault = |wrong: Wrong, text: String| Fault { site: name, module, wrong, text };
+        let said = |wrong: Wrong, text: &str| fault(wrong, format!("{name} {text}"));
+        let mut list = Vec::new();
+        match &self.kind {
+            Kind::Sum(right, width) => {
+                for other in Operator::SUMS.into_iter().filter(|other| other != right) {
+                    let text = format!("{name} {}; it {} if right", other.text(), right.text());
+                    list.push(fault(Wrong::Operator(other), text));
+                }
+                list.push(said(Wrong::Off(1), "gives one too much"));
+                list.push(said(Wrong::Off(-1), "gives one too little"));
+                list.extend((1..*width).map(|bit| {
+                    fault(Wrong::CarryLost(bit), format!("{name} loses the carry into bit {bit}"))
+                }));
+            }
+            Kind::Product => {
+                for other in Operator::PRODUCTS {
+                    let text = format!("{name} {}; it multiplies if right", other.text());
+                    list.push(fault(Wrong::Operator(other), text));
+                }
+                list.push(said(Wrong::Constant(0), "is zero"));
+            }
+            Kind::Word(width) => {
+                list.push(said(Wrong::Constant(0), "is always zero"));
+                list.push(said(Wrong::Constant(-1), "is always all ones"));
+                list.push(said(Wrong::Negated, "has the wrong sign"));
+                list.push(said(Wrong::Complement, "has all bits inverted"));
+                list.push(said(Wrong::Off(1), "is one too large"));
+                list.push(said(Wrong::Off(-1), "is one too small"));
+                list.push(said(Wrong::Shifted(1), "is shifted left by one bit"));
+                list.push(said(Wrong::Shifted(-1), "is shifted right by one bit"));
+                list.push(said(Wrong::Stale, "is that of the record before"));
+                for bit in 0..*width {
+                    for value in [false, true] {
+                        let text = format!("bit {bit} of {name} is stuck at {}", u8::from(value));
+                        list.push(fault(Wrong::Stuck(bit, value), text));
+                    }
+                }
+                list.extend((2..*width).map(|bits| {
+                    fault(Wrong::Short(bits), format!("{name} has lost its top {bits} bits"))
+                }));
+            }
+            Kind::Number => {
+                list.push(said(Wrong::Off(1), "is one too large"));
+                list.push(said(Wrong::Off(-1), "is one too small"));
+                list.push(said(Wrong::Constant(0), "is zero"));
+            }
+            Kind::Clocked => list.push(said(Wrong::Late, "takes effect one clock late")),
+            Kind::Comparison(right) => {
+                for other in Relation::ALL.into_iter().filter(|other| other != right) {
+                    let text = format!("{name}: {} instead of {}", other.text(), right.text());
+                    list.push(fault(Wrong::Relation(other), text));
+                }
+                list.push(fault(Wrong::Off(-1), format!("{name}: compared with one less")));
+                list.push(fault(Wrong::Off(1), format!("{name}: compared with one more")));
+                list.push(fault(Wrong::Always(true), format!("{name}: always true")));
+                list.push(fault(Wrong::Always(false), format!("{name}: never true")));
+            }
+            Kind::Condition => {
+                list.push(fault(Wrong::Always(true), format!("{name}: always true")));
+                list.push(fault(Wrong::Always(false), format!("{name}: never true")));
+                list.push(fault(Wrong::Turned, format!("{name}: inverted")));
+            }
+            Kind::All(count) => {
+                list.push(fault(Wrong::Any, format!("{name}: any one is enough")));
+                let unseen =
+                    |n| fault(Wrong::Unseen(n), format!("{name}: number {n} is not looked at"));
+                list.extend((0..*count).map(unseen));
+            }
+            Kind::Choice(names) => {
+                for (belongs, right) in names.iter().enumerate() {
+                    for (taken, wrong) in names.iter().enumerate().filter(|(n, _)| *n != belongs) {
+                        let text = format!("{name}: {wrong} where {right} belongs");
+                        list.push(fault(Wrong::Instead(belongs, taken), text));
+                        if belongs < taken {
+                            let text = format!("{name}: {right} and {wrong} are exchanged");
+                            list.push(fault(Wrong::Exchanged(belongs, taken), text));
+                        }
+                    }
+                }
+            }
+        }
+        list
+    }
+}
