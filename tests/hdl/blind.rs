@@ -2,7 +2,8 @@
 //! kill of a sample, and what the diagnosis says of the killed.
 //!
 //! `GUARDBIT_SEED` (default: year and week), `GUARDBIT_MUTANTS` (default 20) and `GUARDBIT_ROWS`
-//! (the sets' `--count`) choose the sample and the sets. With `GUARDBIT_BLIND=FOLDER` there is a line
+//! (the sets' `--count`, default 20000) choose the sample and the sets; a question to yosys takes at
+//! most `GUARDBIT_SECONDS` (default 5). With `GUARDBIT_BLIND=FOLDER` there is a line
 //! of JSON a mutant, with its source and the dumps that differ.
 
 // Clause J-5.
@@ -34,8 +35,8 @@ use tempfile::TempDir;
 const SETS: [&str; 4] = ["sgi-4k", "sgi-4k-g1", "sgi-4k-g3", "sgi-4k-g4"];
 /// The modules that a bench drives.
 const TOPS: [&str; 4] = ["dda", "edge_stepper", "triangle_setup", "triangle_engine"];
-/// For each question to yosys.
-const QUESTION: Duration = Duration::from_secs(20);
+/// Dumps that are not kept: of a device that never stops.
+const LARGE: u64 = 1 << 24;
 
 /// What became of a mutant.
 #[derive(Debug, Serialize)]
@@ -119,6 +120,8 @@ struct Sets {
     keep: Option<PathBuf>,
     /// For a simulation; a sound device takes a twentieth of it.
     limit: Duration,
+    /// For each question to yosys.
+    question: Duration,
 }
 
 fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fate {
@@ -158,7 +161,7 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
         fate.placed = fate.reports.iter().any(|report| report.places(&fate.module));
         return fate;
     }
-    let same = devices.iter().all(|devices| is_same(devices, mutant));
+    let same = devices.iter().all(|devices| is_same(devices, mutant, sets.question));
     fate.second_kills = !same
         && sets.second.iter().zip(devices).any(|(set, devices)| {
             let home = tempfile::tempdir().unwrap();
@@ -166,7 +169,7 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
         });
     fate.settled = Some(if same {
         Settled::Equivalent
-    } else if fate.second_kills || is_different(&devices[0], mutant) {
+    } else if fate.second_kills || is_different(&devices[0], mutant, sets.question) {
         Settled::Different
     } else {
         Settled::Open
@@ -188,17 +191,17 @@ fn pair(devices: &Devices, mutant: &Mutant) -> TempDir {
 }
 
 /// Whether the module is the same on its own, or in all that a bench drives.
-fn is_same(devices: &Devices, mutant: &Mutant) -> bool {
+fn is_same(devices: &Devices, mutant: &Mutant, limit: Duration) -> bool {
     let home = pair(devices, mutant);
     // The divider has the widths of its places.
-    let alone = mutant.module != "setup_divider" && same(home.path(), &mutant.module, QUESTION);
+    let alone = mutant.module != "setup_divider" && same(home.path(), &mutant.module, limit);
     let tops = devices.tops(&mutant.module, &TOPS);
-    alone || tops.iter().all(|top| same(home.path(), top, QUESTION))
+    alone || tops.iter().all(|top| same(home.path(), top, limit))
 }
 
-fn is_different(devices: &Devices, mutant: &Mutant) -> bool {
+fn is_different(devices: &Devices, mutant: &Mutant, limit: Duration) -> bool {
     let home = pair(devices, mutant);
-    devices.tops(&mutant.module, &TOPS).iter().any(|top| differ(home.path(), top, QUESTION))
+    devices.tops(&mutant.module, &TOPS).iter().any(|top| differ(home.path(), top, limit))
 }
 
 /// The device and the dumps that differ.
@@ -206,7 +209,8 @@ fn save(home: &Path, folder: &Path) {
     std::fs::create_dir_all(folder).unwrap();
     for entry in std::fs::read_dir(home).unwrap().flatten() {
         let name = entry.file_name().into_string().unwrap();
-        if name.ends_with(".dut.tv") || name == "dut.sv" || name == "set" {
+        let dump = name.ends_with(".dut.tv") && entry.metadata().unwrap().len() < LARGE;
+        if dump || name == "dut.sv" || name == "set" {
             std::fs::copy(entry.path(), folder.join(name)).unwrap();
         }
     }
@@ -231,6 +235,7 @@ pub(crate) fn sampled(_: &str) {
         second: SETS.map(|set| home.path().join("second").join(set)).to_vec(),
         keep,
         limit: Duration::from_secs(10 + rows / 2000),
+        question: Duration::from_secs(number("GUARDBIT_SECONDS", 5)),
     };
     let devices: Vec<Devices> = sets.first.iter().map(|set| Devices::read(set)).collect();
 
