@@ -4,6 +4,8 @@
 
 #[path = "hdl/bench.rs"]
 mod bench;
+#[path = "hdl/blind.rs"]
+mod blind;
 #[path = "hdl/cost.rs"]
 mod cost;
 #[path = "hdl/formal.rs"]
@@ -41,6 +43,7 @@ fn main() {
     // A trial that needs two programs is ignored for want of the first that is missing.
     let both = |first: Tool, second| if first.program().is_none() { first } else { second };
     let (solver, cocotb) = (both(YOSYS, Z3), both(ICARUS, COCOTB));
+    let settler = both(ICARUS, YOSYS);
     let trials = vec![
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
@@ -58,6 +61,7 @@ fn main() {
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
         ICARUS.trial("the_readmes_buggy_adder_is_named", readme::buggy_adder),
         ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
+        settler.soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

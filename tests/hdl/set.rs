@@ -1,8 +1,11 @@
 //! Vector sets in folders of their own, and simulators that are run on them.
 
 use crate::run::run_in;
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
+use std::thread;
+use std::time::{Duration, Instant};
 use tempfile::TempDir;
 
 /// A set, gone with this value.
@@ -47,7 +50,35 @@ pub(crate) fn run(folder: &Path, program: &str, arguments: &[&str]) -> (bool, St
     (status.success(), text.concat())
 }
 
-/// The same, which has to end well.
+/// The same within a time; `None` if it did not end, and was ended.
+pub(crate) fn limited(
+    folder: &Path,
+    program: &str,
+    arguments: &[&str],
+    limit: Duration,
+) -> Option<(bool, String)> {
+    // Output goes to a file: a pipe that nobody empties would stop the program.
+    let path = folder.join("limited.txt");
+    let file = File::create(&path).unwrap();
+    let mut command = Command::new(program);
+    command.args(arguments).current_dir(folder).stdin(Stdio::null());
+    let mut child = command.stdout(file.try_clone().unwrap()).stderr(file).spawn().unwrap();
+    let begin = Instant::now();
+    let mut pause = Duration::from_millis(1);
+    while begin.elapsed() < limit {
+        if let Some(status) = child.try_wait().unwrap() {
+            let text = String::from_utf8_lossy(&std::fs::read(&path).unwrap()).into_owned();
+            return Some((status.success(), text));
+        }
+        thread::sleep(pause);
+        pause = (pause * 2).min(Duration::from_millis(50));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    None
+}
+
+/// Text of both streams of a program that has to end well.
 #[track_caller]
 pub(crate) fn good(folder: &Path, program: &str, arguments: &[&str]) -> String {
     let (good, text) = run(folder, program, arguments);
