@@ -18,7 +18,8 @@ pub(crate) struct Arguments {
     /// The folder of one set, or a folder with several sets.
     #[arg(default_value = "guardbit-vectors")]
     dir: PathBuf,
-    /// The dump: the outputs of a device, in the format of an exp file of the set.
+    /// The dump: the outputs of a device, in the format of an exp file of the set. A folder stands for all
+    /// of its dumps, `NAME.exp.dut.tv`: then a cause has to explain every one of them.
     #[arg(long, value_name = "FILE")]
     dut: Option<PathBuf>,
     /// The exp file to compare the dump with, if the name of the dump does not tell it.
@@ -85,14 +86,55 @@ fn compare(
         let hint = format!("name the folder of one set: {}", names.join(", "));
         return Err(Failure::input(message).hint(&hint));
     };
-    let report = progress::watch("comparing", &Monitor::default(), || {
-        dump::compare(set, dut, arguments.file.as_deref(), arguments.errors.max(1))
+    let most = arguments.errors.max(1);
+    let (dumps, file) = (dumps(dut)?, arguments.file.as_deref());
+    let reports = progress::watch("comparing", &Monitor::default(), || match &dumps[..] {
+        [one] if !dut.is_dir() => dump::compare(set, one, file, most).map(|report| vec![report]),
+        several => dump::compare_all(set, several, most),
     })
     .map_err(compare_failure)?;
+    for (dump, report) in dumps.iter().zip(&reports) {
+        one(dump, report, arguments, output)?;
+    }
+    output.flush()?;
+    let good = reports.iter().all(|report| report.total == 0);
+    Ok(if good { Outcome::Good } else { Outcome::Mismatch })
+}
+
+/// The dump, or those of a folder.
+fn dumps(dut: &Path) -> Result<Vec<PathBuf>, Failure> {
+    if !dut.is_dir() {
+        return Ok(vec![dut.to_owned()]);
+    }
+    let io = |error| Failure::io(&dut.display().to_string(), &error);
+    let mut dumps = Vec::new();
+    for entry in std::fs::read_dir(dut).map_err(io)? {
+        let path = entry.map_err(io)?.path();
+        // A bench that did not get so far leaves an empty one.
+        let whole = path.metadata().is_ok_and(|file| file.len() > 0);
+        if whole && path.to_string_lossy().ends_with(".exp.dut.tv") {
+            dumps.push(path);
+        }
+    }
+    dumps.sort();
+    if dumps.is_empty() {
+        let hint = "run the bench of the set with +dump; it writes NAME.exp.dut.tv";
+        return Err(
+            Failure::input(format!("{}: no dumps in this folder", dut.display())).hint(hint)
+        );
+    }
+    Ok(dumps)
+}
+
+/// What is to be said of one dump.
+fn one(
+    dut: &Path,
+    report: &DumpReport,
+    arguments: &Arguments,
+    output: &mut Output,
+) -> Result<(), Failure> {
     if report.total == 0 {
-        output.line(format!("PASS: {} rows of {} agree", report.rows, report.file))?;
-        output.flush()?;
-        return Ok(Outcome::Good);
+        return output.line(format!("PASS: {} rows of {} agree", report.rows, report.file));
     }
     for mismatch in report.mismatches.iter().take(arguments.errors) {
         let row = mismatch.row.map(|row| format!("{}:{row} ", report.file)).unwrap_or_default();
@@ -115,18 +157,16 @@ fn compare(
         ))?;
     }
     if report.short && !report.disagrees {
-        output.line("every row of the dump agrees; only the rows after its end are missing")?;
-        output.flush()?;
-        return Ok(Outcome::Mismatch);
+        return output
+            .line("every row of the dump agrees; only the rows after its end are missing");
     }
-    describe(&report, output)?;
+    describe(report, output)?;
     if report.lost {
         output.line(
             "all rows of the dump agree, but rows are lost on the way: check for a stream that ignores backpressure",
         )?;
     }
-    output.flush()?;
-    Ok(Outcome::Mismatch)
+    Ok(())
 }
 
 /// What was seen, where the defect is, and its cause if one alone explains everything.
@@ -151,27 +191,38 @@ fn describe(report: &DumpReport, output: &mut Output) -> Result<(), Failure> {
         observed.classes.iter().map(|(class, rows)| format!("{class} {rows}")).collect();
     output.line(format!("  rows by class of test: {}", classes.join(", ")))?;
     let Placed { modules, columns } = &report.placed;
+    if columns.is_empty() {
+        // Another dump of the same bench has the diagnosis.
+        return Ok(());
+    }
     output.line(format!("placed: {}, columns {}", modules.join(" or "), columns.join(" ")))?;
     if observed.trivial {
-        return output.line("cause unknown: the device answers the same in every row, which tells nothing of its cause");
+        return output.line("cause unknown: what differs is the same in every row, which tells nothing of its cause");
     }
-    match &report.causes[..] {
-        [] => output.line(format!(
-            "cause unknown: none of {} single changes explains the whole dump",
-            report.tried
-        )),
-        [cause] => output.line(format!("likely cause: {cause}")),
-        several => {
-            output.line("likely causes, each of which explains the whole dump:")?;
-            for cause in several.iter().take(MOST) {
-                output.line(format!("  {cause}"))?;
-            }
-            if several.len() > MOST {
-                output.line(format!("  and {} more", several.len() - MOST))?;
-            }
-            Ok(())
+    let (head, rivals) = match &report.causes[..] {
+        [] => {
+            return output.line(format!(
+                "cause unknown: none of {} single changes explains the whole dump",
+                report.tried
+            ));
         }
+        [cause, rivals @ ..] if report.sure => {
+            output.line(format!("likely cause: {cause}"))?;
+            ("in every row of this set it is the same as:", rivals)
+        }
+        several => ("likely causes, each of which explains the whole dump:", several),
+    };
+    if rivals.is_empty() {
+        return Ok(());
     }
+    output.line(head)?;
+    for cause in rivals.iter().take(MOST) {
+        output.line(format!("  {cause}"))?;
+    }
+    if rivals.len() > MOST {
+        output.line(format!("  and {} more", rivals.len() - MOST))?;
+    }
+    Ok(())
 }
 
 /// The most causes printed.

@@ -13,7 +13,7 @@ use super::bench::{Bench, FileSpec, TestAt, locate, tests};
 use super::check::{CheckError, OpenSet, read_scene, source};
 use super::plan::Shard;
 use crate::format::Column;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Why a dump cannot be compared.
 #[derive(Debug, thiserror::Error)]
@@ -71,8 +71,11 @@ pub struct DumpReport {
     pub observed: Observed,
     /// Where the defect is.
     pub placed: Placed,
-    /// Single changes that make the whole dump agree.
+    /// Single changes that make the whole dump agree, simplest first.
     pub causes: Vec<String>,
+    /// Whether the first of them is the cause, as far as rows can tell: the others are the same thing
+    /// said otherwise.
+    pub sure: bool,
     /// How many single changes were tried.
     pub tried: usize,
     /// Whether every row that came agrees and no change explains those that are missing.
@@ -132,6 +135,13 @@ impl Subject {
     }
 }
 
+/// A dump that has been compared with its file.
+struct Judged {
+    subject: Subject,
+    dump: Dump,
+    report: DumpReport,
+}
+
 /// Compares a dump with the file of the set that it answers.
 ///
 /// `file` names it where the dump's own name does not; `most` bounds the mismatches kept.
@@ -144,22 +154,89 @@ pub fn compare(
     file: Option<&str>,
     most: usize,
 ) -> Result<DumpReport, CompareError> {
-    let subject = subject(set, dump, file)?;
+    let mut judged = vec![judge(set, dump, file, most)?];
+    diagnose(&mut judged);
+    Ok(judged.remove(0).report)
+}
+
+/// Compares several dumps of one device: a cause has to explain all that one bench gave, and a module
+/// that a bench of its own found right is not looked for elsewhere. The diagnosis of a bench stands in
+/// the report of its first dump that disagrees.
+///
+/// # Errors
+/// [`CompareError`] if the set or a dump cannot be read as one.
+pub fn compare_all(
+    set: &OpenSet,
+    dumps: &[PathBuf],
+    most: usize,
+) -> Result<Vec<DumpReport>, CompareError> {
+    let judged = dumps.iter().map(|dump| judge(set, dump, None, most));
+    let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
+    diagnose(&mut judged);
+    Ok(judged.into_iter().map(|judged| judged.report).collect())
+}
+
+fn judge(
+    set: &OpenSet,
+    path: &Path,
+    file: Option<&str>,
+    most: usize,
+) -> Result<Judged, CompareError> {
+    let subject = subject(set, path, file)?;
     // Read once, then judged: against the expectation, and where that fails against every suspect.
-    let rows = Dump::read(dump, &subject.spec.columns)?;
-    let mut report = compare::against(&subject, &rows, most);
+    let dump = Dump::read(path, &subject.spec.columns)?;
+    let mut report = compare::against(&subject, &dump, most);
     if report.rows == 0 && report.expected_rows > 0 {
-        return Err(DumpError::Empty { path: dump.display().to_string() }.into());
+        return Err(DumpError::Empty { path: path.display().to_string() }.into());
     }
     report.file = format!("{}.tv", subject.spec.stem);
     if report.disagrees {
-        report.observed = observe::observe(&subject, &rows);
-        let causes = explain::causes(&subject, &rows, report.short);
-        report.placed = explain::place(&subject, &report.observed, &causes);
-        (report.tried, report.lost) = (causes.tried, causes.lost);
+        report.observed = observe::observe(&subject, &dump);
+    }
+    Ok(Judged { subject, dump, report })
+}
+
+/// Modules that a bench drives alone.
+const ALONE: [(&str, &str); 2] = [("dda", "dda"), ("edge", "edge_stepper")];
+
+/// Looks for where and why, bench by bench.
+fn diagnose(judged: &mut [Judged]) {
+    let module = |judged: &Judged| {
+        let name = judged.subject.bench.name();
+        ALONE.iter().find(|(bench, _)| *bench == name).map(|(_, module)| *module)
+    };
+    let of = |wrong: bool| -> Vec<&str> {
+        let told =
+            judged.iter().filter(|judged| judged.report.disagrees == wrong && !judged.report.short);
+        told.filter_map(module).collect()
+    };
+    let (sound, broken) = (of(false), of(true));
+    let mut benches: Vec<&str> = Vec::new();
+    let mut found = Vec::new();
+    for (n, first) in judged.iter().enumerate() {
+        let name = first.subject.bench.name();
+        if !first.report.disagrees || benches.contains(&name) {
+            continue;
+        }
+        benches.push(name);
+        let group: Vec<&Judged> =
+            judged[n..].iter().filter(|judged| judged.subject.bench.name() == name).collect();
+        let others = group.iter().copied().filter(|judged| judged.report.disagrees);
+        let differing: Vec<&Judged> = others.collect();
+        let all: Vec<&Judged> =
+            judged.iter().filter(|judged| judged.subject.bench.name() == name).collect();
+        let causes = explain::causes(&all, &sound);
+        let placed = explain::place(&differing, &causes, &sound, &broken);
+        let trivial = differing.iter().all(|judged| judged.report.observed.trivial);
+        found.push((n, causes, placed, trivial));
+    }
+    for (n, causes, placed, trivial) in found {
+        let report = &mut judged[n].report;
+        (report.tried, report.lost, report.placed) = (causes.tried, causes.lost, placed);
+        report.observed.trivial = trivial;
+        report.sure = causes.sure && !trivial;
         report.causes = causes.named.into_iter().map(|(change, _)| change).collect();
     }
-    Ok(report)
 }
 
 fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, CompareError> {

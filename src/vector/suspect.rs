@@ -29,6 +29,8 @@ pub struct Suspect<'b> {
     /// Rows at the very start of a file that the change leaves open: what such a device shows
     /// before its first clock depends on its reset.
     pub unsettled: u64,
+    /// How simple the change is: of two that explain a dump alike, the lower is named.
+    pub rank: u8,
     /// The module and the part of it that are wrong, if a single part is.
     pub place: Option<(&'static str, &'static str)>,
     /// The device, taken through the tests of the bench.
@@ -48,7 +50,7 @@ impl<'b> Suspect<'b> {
         device: impl Device<B::Test> + 'b,
     ) -> Self {
         let run = Box::new(Rig::new(bench, Box::new(device), RowFormat::Bin));
-        Self { change: change.into(), unsettled: 0, place: None, run }
+        Self { change: change.into(), unsettled: 0, rank: 0, place: None, run }
     }
 
     /// A device with a fault in one part.
@@ -58,6 +60,12 @@ impl<'b> Suspect<'b> {
         device: impl Device<B::Test> + 'b,
     ) -> Self {
         let place = Some((fault.module, fault.site));
-        Self { place, ..Self::new(bench, fault.text.clone(), device) }
+        let unsettled = fault.unsettled();
+        Self {
+            place,
+            unsettled,
+            rank: fault.rank(),
+            ..Self::new(bench, fault.text.clone(), device)
+        }
     }
 }

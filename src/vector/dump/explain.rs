@@ -3,9 +3,9 @@
 use super::compare::{Answer, ByTest, by_test};
 use super::observe::Observed;
 use super::read::Dump;
-use super::{Placed, Subject};
+use super::{Judged, Placed, Subject};
 use crate::format::{Column, Role};
-use crate::vector::bench::TestAt;
+use crate::vector::bench::{Run, TestAt};
 use crate::vector::table::unpack;
 use std::fmt::Write as _;
 
@@ -70,133 +70,232 @@ fn in_fields(fields: &[(String, u32)], word: u128) -> String {
     parts.join(" | ")
 }
 
-/// What may be behind a dump.
+/// What may be behind the dumps of a bench.
 pub(super) struct Causes {
-    /// Single changes that make the whole dump agree, with their module and part.
+    /// Single changes that make the dumps agree, simplest first, with their module and part.
     pub(super) named: Vec<(String, Option<(&'static str, &'static str)>)>,
+    /// How many of them are said with confidence: one, or none.
+    pub(super) sure: bool,
     /// How many were tried.
     pub(super) tried: usize,
     /// Whether nothing is wrong but that rows are missing.
     pub(super) lost: bool,
 }
 
-/// Looks for the cause among the suspects of the bench.
-pub(super) fn causes(subject: &Subject, dump: &Dump, short: bool) -> Causes {
-    let keyed = (subject.key() > 0).then(|| by_test(subject, dump));
+/// Most changes that one of them is picked out of, if all are of one part.
+const RIVALS: usize = 4;
+
+/// Looks for the cause among the suspects of the bench: what explains every row of every dump.
+/// Modules in `sound` have been seen to be right.
+pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
+    let subject = &group[0].subject;
+    let maps: Vec<Option<ByTest>> = group
+        .iter()
+        .map(|judged| (judged.subject.key() > 0).then(|| by_test(&judged.subject, &judged.dump)))
+        .collect();
     let suspects = subject.bench.suspects();
     let tried = suspects.len();
-    let mut named: Vec<(String, _)> = Vec::new();
+    let mut named: Vec<(u8, String, _)> = Vec::new();
     for suspect in suspects {
-        let answer = Answer::new(subject, suspect.run);
-        let explained = match &keyed {
-            Some(map) => agrees_keyed(subject, answer, (dump, map), true),
-            None => agrees_ordered(subject, answer, dump, (suspect.unsettled, short)),
-        };
+        if suspect.place.is_some_and(|(module, _)| sound.contains(&module)) {
+            continue;
+        }
+        let explained = explains(group, &maps, suspect.run, suspect.unsettled);
         // A change can be tried in more than one guise.
-        if explained && named.iter().all(|(change, _)| *change != suspect.change) {
-            named.push((suspect.change, suspect.place));
+        if explained && named.iter().all(|(_, change, _)| *change != suspect.change) {
+            named.push((suspect.rank, suspect.change, suspect.place));
         }
     }
-    let lost = named.is_empty() && is_part(subject, dump, keyed.as_ref());
-    Causes { named, tried, lost }
+    let lost = named.is_empty()
+        && group.iter().zip(&maps).all(|(judged, map)| is_part(judged, map.as_ref()));
+    named.sort_by_key(|(rank, ..)| *rank);
+    let simplest = named.first().map(|(rank, ..)| *rank);
+    let simple = named.iter().filter(|(rank, ..)| Some(*rank) == simplest).count();
+    let module = |place: Option<(&'static str, &'static str)>| place.map(|(module, _)| module);
+    let together = named.iter().all(|(.., place)| module(*place) == module(named[0].2));
+    let sure = named.len() == 1 || simple == 1 && together && named.len() <= RIVALS;
+    let named = named.into_iter().map(|(_, change, place)| (change, place)).collect();
+    Causes { named, sure, tried, lost }
 }
 
-/// Where the defect is: modules, likeliest first, and the columns that show it.
-pub(super) fn place(subject: &Subject, observed: &Observed, causes: &Causes) -> Placed {
-    let mut columns: Vec<String> =
-        observed.differ.iter().map(|differs| differs.column.clone()).collect();
-    if observed.missing + observed.extra > 0 {
-        columns.extend(subject.spec.columns[..subject.key()].iter().map(|c| c.name.clone()));
+/// Whether a device answers every row of every dump.
+fn explains(
+    group: &[&Judged],
+    maps: &[Option<ByTest>],
+    mut run: Box<dyn Run + '_>,
+    unsettled: u64,
+) -> bool {
+    let subject = &group[0].subject;
+    let mut buffers: Vec<Vec<u8>> = vec![Vec::new(); group.len()];
+    let mut next = vec![0; group.len()];
+    let mut seen = vec![0; group.len()];
+    for (at, limit) in subject.tests() {
+        run.run(at, limit);
+        for (file, table) in run.tables().into_iter().enumerate() {
+            for (judged, buffer) in group.iter().zip(&mut buffers) {
+                if judged.subject.file == file {
+                    std::mem::swap(buffer, &mut table.buffer);
+                }
+            }
+            table.buffer.clear();
+        }
+        for (n, Judged { subject, dump, report }) in group.iter().enumerate() {
+            let rows = buffers[n].chunks_exact(subject.stride());
+            if let Some(map) = &maps[n] {
+                let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);
+                seen[n] += usize::from(!theirs.is_empty());
+                if !keyed_agree(rows, theirs, dump, true) {
+                    return false;
+                }
+                continue;
+            }
+            for words in rows {
+                if next[n] == dump.rows() {
+                    if report.short {
+                        break;
+                    }
+                    return false;
+                }
+                if (next[n] as u64) >= unsettled && !dump.agrees(next[n], words) {
+                    return false;
+                }
+                next[n] += 1;
+            }
+        }
+        if group.iter().zip(&next).all(|(judged, next)| {
+            judged.subject.key() == 0 && judged.report.short && *next == judged.dump.rows()
+        }) {
+            return true;
+        }
+    }
+    (0..group.len()).all(|n| match &maps[n] {
+        Some(map) => seen[n] == map.len(),
+        None => next[n] == group[n].dump.rows(),
+    })
+}
+
+/// Whether each row of a test in a dump is one of a device's, none twice; `whole`: and each of those
+/// is there.
+fn keyed_agree<'r>(
+    rows: impl Iterator<Item = &'r [u8]>,
+    theirs: &[usize],
+    dump: &Dump,
+    whole: bool,
+) -> bool {
+    let mut found = 0;
+    for words in rows {
+        let here = theirs.iter().filter(|row| dump.agrees(**row, words)).count();
+        if here > 1 || here == 0 && whole {
+            return false;
+        }
+        found += here;
+    }
+    found == theirs.len()
+}
+
+/// Where the defect is: modules, likeliest first, and the columns that show it. Modules in `sound` have
+/// been seen to be right, `broken` ones have not.
+pub(super) fn place(group: &[&Judged], causes: &Causes, sound: &[&str], broken: &[&str]) -> Placed {
+    let mut columns: Vec<String> = Vec::new();
+    for Judged { subject, report, .. } in group {
+        let observed = &report.observed;
+        let stem = subject.spec.stem.trim_end_matches(".exp");
+        let mut add = |name: &str| {
+            let told = if group.len() > 1 { format!("{stem}.{name}") } else { name.to_owned() };
+            if !columns.contains(&told) {
+                columns.push(told);
+            }
+        };
+        observed.differ.iter().for_each(|differs| add(&differs.column));
+        if observed.missing + observed.extra > 0 {
+            subject.spec.columns[..subject.key()].iter().for_each(|column| add(&column.name));
+        }
     }
     let mut modules: Vec<&str> = Vec::new();
     for (_, place) in &causes.named {
         let module = place.map(|(module, _)| module);
         modules.extend(module.filter(|module| !modules.contains(module)));
     }
-    let plane = |name: &String| {
-        [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY].iter().any(|role| role.pattern == name)
-    };
-    if modules.is_empty() {
-        modules = match subject.bench.name() {
-            "dda" => vec!["dda"],
-            "edge" => vec!["edge_stepper"],
-            // The quotients are all that the divider makes, and it makes all three.
-            "setup" if columns.iter().all(plane) && columns.len() == 3 => vec!["setup_divider"],
-            "setup" => vec!["triangle_setup"],
-            // Runs and counts are right here where depths are not missing.
-            "triangle"
-                if subject.spec.stem == "depth.exp" && observed.missing + observed.extra == 0 =>
-            {
-                vec!["depth_evaluator", "dda"]
-            }
-            "triangle" if subject.spec.stem == "triangle.exp" => vec!["triangle_engine"],
-            "triangle" => vec!["triangle_engine", "edge_evaluator"],
-            other => vec![other],
-        };
+    if modules.is_empty() || modules.len() > 2 {
+        modules = by_columns(group);
+        modules.retain(|module| !sound.contains(module));
+    }
+    if group[0].subject.bench.name() == "triangle" {
+        // What is wrong by itself is enough to make an engine wrong.
+        modules.sort_by_key(|module| !broken.contains(module));
+        let parts = ["dda", "edge_stepper"];
+        let own: Vec<&str> = broken.iter().copied().filter(|part| parts.contains(part)).collect();
+        modules.splice(
+            ..0,
+            own.into_iter().filter(|part| !modules.contains(part)).collect::<Vec<_>>(),
+        );
     }
     Placed { modules: modules.into_iter().map(str::to_owned).collect(), columns }
 }
 
-/// Whether the dump is the expectation with rows left out.
-fn is_part(subject: &Subject, dump: &Dump, keyed: Option<&ByTest>) -> bool {
-    let mut expected = Answer::expected(subject);
-    if let Some(map) = keyed {
-        return agrees_keyed(subject, expected, (dump, map), false);
+/// What the files and columns that differ, and the classes of their rows, say of the module.
+fn by_columns(group: &[&Judged]) -> Vec<&'static str> {
+    let Judged { subject, report, .. } = group[0];
+    let plane = |name: &str| {
+        [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY].iter().any(|role| role.pattern == name)
+    };
+    let differ = &report.observed.differ;
+    let file = |stem: &str| {
+        group
+            .iter()
+            .find(|judged| judged.subject.spec.stem == stem)
+            .map(|judged| &judged.report.observed)
+    };
+    match subject.bench.name() {
+        "dda" => vec!["dda"],
+        "edge" => vec!["edge_stepper"],
+        // The quotients are all that the divider makes, and it makes all three.
+        "setup" if differ.len() == 3 && differ.iter().all(|d| plane(&d.column)) => {
+            vec!["setup_divider", "triangle_setup"]
+        }
+        "setup" => vec!["triangle_setup"],
+        "triangle" => {
+            let moved = |seen: &Observed| seen.missing + seen.extra > 0;
+            let runs = file("span.exp").is_some_and(moved) || file("depth.exp").is_some_and(moved);
+            let depths = file("depth.exp").is_some_and(|seen| !seen.differ.is_empty());
+            // In these every sample of a box is covered, whatever the edges step by.
+            let still = |seen: &Observed| {
+                ["guard-patterns", "guard-splits"]
+                    .iter()
+                    .any(|class| seen.classes.contains_key(*class))
+            };
+            if depths && !runs {
+                vec!["depth_evaluator", "dda"]
+            } else if runs
+                && !["span.exp", "depth.exp"].iter().filter_map(|stem| file(stem)).any(still)
+            {
+                vec!["edge_evaluator", "triangle_engine", "edge_stepper"]
+            } else {
+                vec!["triangle_engine", "edge_evaluator"]
+            }
+        }
+        _ => Vec::new(),
     }
+}
+
+/// Whether a dump is the expectation with rows left out.
+fn is_part(Judged { subject, dump, .. }: &Judged, keyed: Option<&ByTest>) -> bool {
+    let mut expected = Answer::expected(subject);
     let mut next = 0;
+    let mut seen = 0;
     for (at, limit) in subject.tests() {
-        for words in expected.rows(at, limit) {
+        let rows = expected.rows(at, limit);
+        if let Some(map) = keyed {
+            let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);
+            seen += usize::from(!theirs.is_empty());
+            if !keyed_agree(rows, theirs, dump, false) {
+                return false;
+            }
+            continue;
+        }
+        for words in rows {
             next += usize::from(next < dump.rows() && dump.agrees(next, words));
         }
     }
-    next == dump.rows()
-}
-
-/// Whether the dump is, row by row, what a device answers; its first `open` rows may be anything, and
-/// one that is `short` is explained as far as it goes.
-fn agrees_ordered(
-    subject: &Subject,
-    mut answer: Answer<'_>,
-    dump: &Dump,
-    (open, short): (u64, bool),
-) -> bool {
-    let mut next = 0;
-    for (at, limit) in subject.tests() {
-        for words in answer.rows(at, limit) {
-            if next == dump.rows() {
-                return short;
-            }
-            if (next as u64) >= open && !dump.agrees(next, words) {
-                return false;
-            }
-            next += 1;
-        }
-    }
-    next == dump.rows()
-}
-
-/// Whether each row of the dump is one of a device's, none twice; `whole`: and each of those is there.
-fn agrees_keyed(
-    subject: &Subject,
-    mut answer: Answer<'_>,
-    (dump, map): (&Dump, &ByTest),
-    whole: bool,
-) -> bool {
-    let mut seen = 0;
-    for (at, limit) in subject.tests() {
-        let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);
-        seen += usize::from(!theirs.is_empty());
-        let mut found = 0;
-        for words in answer.rows(at, limit) {
-            let here = theirs.iter().filter(|row| dump.agrees(**row, words)).count();
-            if here > 1 || here == 0 && whole {
-                return false;
-            }
-            found += here;
-        }
-        if found != theirs.len() {
-            return false;
-        }
-    }
-    seen == map.len()
+    keyed.map_or(next == dump.rows(), |map| seen == map.len())
 }

@@ -35,7 +35,7 @@ pub struct Observed {
     pub extra: u64,
     /// Rows that differ by class of test.
     pub classes: BTreeMap<String, u64>,
-    /// Whether the device answers the same in every row, as far as it answers at all.
+    /// Whether what differs is the same in every row, as far as the device answers at all.
     pub trivial: bool,
 }
 
@@ -92,7 +92,9 @@ impl Relations {
         let mask = u128::MAX >> (128 - column.width);
         self.any |= want ^ got;
         self.all &= want ^ got;
-        let offset = super::explain::value(column, got.wrapping_sub(want) & mask);
+        // The nearer way round.
+        let signed = Column { signed: true, ..column.clone() };
+        let offset = super::explain::value(&signed, got.wrapping_sub(want) & mask);
         if self.first {
             (self.offset, self.constant) = (Some(offset), Some(got));
         }
@@ -243,9 +245,8 @@ struct Seen {
     rows: Vec<u64>,
     /// For each column, conditions by name.
     conditions: Vec<BTreeMap<String, Count>>,
-    first: Option<Vec<u128>>,
-    /// Whether every column has been the same in every row, beside those of the place.
-    constant: bool,
+    /// The word of each column, if it is the same in every row.
+    constant: Vec<Option<u128>>,
 }
 
 impl Seen {
@@ -257,8 +258,7 @@ impl Seen {
             relations: vec![Relations::new(columns); columns],
             rows: vec![0; columns],
             conditions: vec![BTreeMap::new(); columns],
-            first: None,
-            constant: true,
+            constant: Vec::new(),
         }
     }
 
@@ -276,16 +276,11 @@ impl Seen {
     ) {
         let columns = &subject.spec.columns;
         self.observed.rows += 1;
-        let told = |words: &[u128]| {
-            let told = words.iter().zip(columns).skip(self.key);
-            told.filter(|(_, column)| column.name != Role::OP.pattern)
-                .map(|(word, _)| *word)
-                .collect::<Vec<_>>()
-        };
-        let shown = told(row.got);
-        match &self.first {
-            Some(first) => self.constant &= *first == shown,
-            None => self.first = Some(shown),
+        if self.constant.is_empty() {
+            self.constant = row.got.iter().map(|word| Some(*word)).collect();
+        }
+        for (constant, word) in self.constant.iter_mut().zip(row.got) {
+            *constant = constant.filter(|seen| seen == word);
         }
         let differs: Vec<bool> =
             (0..columns.len()).map(|k| row.want[k] != row.got[k] || row.unknown[k] != 0).collect();
@@ -311,7 +306,14 @@ impl Seen {
     }
 
     fn finish(mut self, columns: &[Column]) -> Observed {
-        self.observed.trivial = self.constant;
+        let mut differing = (0..columns.len()).filter(|k| self.rows[*k] > 0).peekable();
+        let moved = self.observed.missing + self.observed.extra > 0;
+        self.observed.trivial = !moved
+            && self.observed.rows > 1
+            && differing.peek().is_some()
+            && differing.all(|k| self.constant[k].is_some());
+        // Nothing came at all.
+        self.observed.trivial |= self.key > 0 && self.observed.rows + self.observed.extra == 0;
         for (k, column) in columns.iter().enumerate() {
             if self.rows[k] == 0 {
                 if k >= self.key {

@@ -37,6 +37,8 @@ pub(super) enum Wrong {
     Turned,
     /// Where the first of these belongs, the second is taken.
     Instead(usize, usize),
+    /// Each of four codes is taken for another.
+    Map([usize; 4]),
     /// Two operands have changed places.
     Exchanged(usize, usize),
     /// Any one of several conditions is enough.
@@ -158,7 +160,10 @@ enum Kind {
     Comparison(Relation),
     Condition,
     /// A choice between operands of these names.
-    Choice(Vec<&'static str>),
+    /// How many of them ever belong somewhere: the others are near, and wrong everywhere.
+    Choice(Vec<&'static str>, usize),
+    /// A code of four.
+    Code([&'static str; 4]),
     /// So many conditions that must all hold.
     All(usize),
 }
@@ -181,6 +186,28 @@ pub(super) struct Fault {
     pub(super) wrong: Wrong,
     /// In words.
     pub(super) text: String,
+}
+
+impl Fault {
+    /// How simple it is to say, and so to make: a decision before a number before a bit.
+    pub(super) fn rank(&self) -> u8 {
+        match self.wrong {
+            Wrong::Off(_) | Wrong::Constant(_) | Wrong::Stale | Wrong::Shifted(_) => 2,
+            Wrong::CarryLost(_) => 3,
+            // One code taken for another is as simple as a choice.
+            Wrong::Map(map) => {
+                1 + (0..4).filter(|code| map[*code] != *code).count().min(3) as u8 / 2
+            }
+            Wrong::Short(_) => 4,
+            Wrong::Negated | Wrong::Complement | Wrong::Stuck(..) => 5,
+            _ => 1,
+        }
+    }
+
+    /// Rows at the start of a file that it leaves open.
+    pub(super) fn unsettled(&self) -> u64 {
+        if self.wrong == Wrong::Late { 1 } else { 0 }
+    }
 }
 
 /// The way of words through a unit, right or with one fault.
@@ -344,13 +371,36 @@ impl Path {
         pick: usize,
         operands: [(&'static str, i128); N],
     ) -> i128 {
-        let picked = match self.at(name, || Kind::Choice(operands.map(|(name, _)| name).to_vec())) {
+        self.choose_near(name, pick, operands, [])
+    }
+
+    /// One of several operands, where others are near that belong nowhere.
+    pub(super) fn choose_near<const N: usize, const M: usize>(
+        &self,
+        name: &'static str,
+        pick: usize,
+        operands: [(&'static str, i128); N],
+        near: [(&'static str, i128); M],
+    ) -> i128 {
+        let names = || {
+            let names = operands.iter().chain(&near).map(|(name, _)| *name);
+            Kind::Choice(names.collect(), N)
+        };
+        let picked = match self.at(name, names) {
             Some(Wrong::Instead(belongs, taken)) if pick == belongs => taken,
             Some(Wrong::Exchanged(a, b)) if pick == a => b,
             Some(Wrong::Exchanged(a, b)) if pick == b => a,
             _ => pick,
         };
-        operands[picked].1
+        operands.iter().chain(&near).nth(picked).map_or(0, |(_, value)| *value)
+    }
+
+    /// A code of four.
+    pub(super) fn code(&self, name: &'static str, code: usize, names: [&'static str; 4]) -> usize {
+        match self.at(name, || Kind::Code(names)) {
+            Some(Wrong::Map(map)) => map[code & 3],
+            _ => code,
+        }
     }
 
     /// The next record begins: what words were is now what they were before.
@@ -443,13 +493,28 @@ impl Site {
                     |n| fault(Wrong::Unseen(n), format!("{name}: number {n} is not looked at"));
                 list.extend((0..*count).map(unseen));
             }
-            Kind::Choice(names) => {
-                for (belongs, right) in names.iter().enumerate() {
+            Kind::Code(names) => {
+                for map in 0..256usize {
+                    let map = [map & 3, map >> 2 & 3, map >> 4 & 3, map >> 6];
+                    let changed = (0..4).filter(|code| map[*code] != *code);
+                    let changes: Vec<String> = changed
+                        .map(|code| format!("{} acts as {}", names[code], names[map[code]]))
+                        .collect();
+                    if !changes.is_empty() {
+                        list.push(fault(
+                            Wrong::Map(map),
+                            format!("{name}: {}", changes.join(", ")),
+                        ));
+                    }
+                }
+            }
+            Kind::Choice(names, right) => {
+                for (belongs, own) in names.iter().enumerate().take(*right) {
                     for (taken, wrong) in names.iter().enumerate().filter(|(n, _)| *n != belongs) {
-                        let text = format!("{name}: {wrong} where {right} belongs");
+                        let text = format!("{name}: {wrong} where {own} belongs");
                         list.push(fault(Wrong::Instead(belongs, taken), text));
-                        if belongs < taken {
-                            let text = format!("{name}: {right} and {wrong} are exchanged");
+                        if belongs < taken && taken < *right {
+                            let text = format!("{name}: {own} and {wrong} are exchanged");
                             list.push(fault(Wrong::Exchanged(belongs, taken), text));
                         }
                     }

@@ -13,6 +13,8 @@ pub(super) struct Names {
     operation_late: &'static str,
     base: &'static str,
     addend: &'static str,
+    addend_late: &'static str,
+    sum_late: &'static str,
     init: &'static str,
     dx: &'static str,
     dy: &'static str,
@@ -27,6 +29,8 @@ pub(super) const DEPTH: Names = Names {
     operation_late: "the operation of the DDA",
     base: "first operand of the DDA's adder",
     addend: "second operand of the DDA's adder",
+    addend_late: "the second operand of the DDA's adder",
+    sum_late: "the sum in the DDA",
     init: "init in the DDA",
     dx: "dx in the DDA",
     dy: "dy in the DDA",
@@ -41,6 +45,8 @@ pub(super) const EDGE: Names = Names {
     operation_late: "the operation of the edge stepper",
     base: "first operand of the edge adder",
     addend: "second operand of the edge adder",
+    addend_late: "the second operand of the edge adder",
+    sum_late: "the edge sum",
     init: "init in the edge stepper",
     dx: "dx in the edge stepper",
     dy: "dy in the edge stepper",
@@ -80,14 +86,14 @@ impl Stepper {
     fn next(&self, path: &Path, word: i128, op: Op, words: [i128; 3]) -> i128 {
         let names = self.names;
         let op = path.clocked(names.operation_late, op as i128);
-        let codes = [("a load", 0), ("a step right", 1), ("a step down", 2), ("a hold", 3)];
-        let op = path.choose(names.operation, usize::try_from(op).unwrap_or_default(), codes);
-        let pick = usize::try_from(op).unwrap_or_default();
+        let codes = ["a load", "a step right", "a step down", "a hold"];
+        let pick = path.code(names.operation, usize::try_from(op).unwrap_or_default(), codes);
         let [init, dx, dy] = words;
         let init = path.word(names.init, init, self.width);
         let dx = path.word(names.dx, dx, self.width);
         let dy = path.word(names.dy, dy, self.width);
-        let base = path.choose(
+        let near = [("dx", dx), ("dy", dy), ("init", init)];
+        let base = path.choose_near(
             names.base,
             pick,
             [
@@ -96,12 +102,23 @@ impl Stepper {
                 ("the word on a step down", word),
                 ("the word on a hold", word),
             ],
+            near,
         );
         let operands = [("init", init), ("dx", dx), ("dy", dy), ("zero on a hold", 0)];
-        let addend = path.choose(names.addend, pick, operands);
+        let near = [
+            ("the word itself", word),
+            ("minus dx", dx.wrapping_neg()),
+            ("minus dy", dy.wrapping_neg()),
+            ("one", 1),
+            ("minus one", -1),
+        ];
+        let addend = path.choose_near(names.addend, pick, operands, near);
+        let addend = path.clocked(names.addend_late, addend);
         let sum = path.sum(names.adder, Operator::Add, [base, addend], self.width);
-        let next =
-            self.sticky.map_or(sum, |range| self.kept_in_range(path, range, op == 0, base, addend));
+        let sum = path.clocked(names.sum_late, sum);
+        let next = self
+            .sticky
+            .map_or(sum, |range| self.kept_in_range(path, range, pick == 0, base, addend));
         path.word(names.word, next, self.width)
     }
 
