@@ -12,7 +12,7 @@ mod operator;
 #[path = "blind/report.rs"]
 mod report;
 #[path = "blind/sample.rs"]
-mod sample;
+pub(crate) mod sample;
 #[path = "blind/settle.rs"]
 mod settle;
 #[path = "blind/source.rs"]
