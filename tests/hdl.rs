@@ -14,6 +14,8 @@ mod formal;
 mod mutant;
 #[path = "hdl/readme.rs"]
 mod readme;
+#[path = "hdl/recipe.rs"]
+mod recipe;
 #[path = "support/run.rs"]
 mod run;
 #[path = "hdl/scoreboard.rs"]
@@ -43,7 +45,7 @@ fn main() {
     // A trial that needs two programs is ignored for want of the first that is missing.
     let both = |first: Tool, second| if first.program().is_none() { first } else { second };
     let (solver, cocotb) = (both(YOSYS, Z3), both(ICARUS, COCOTB));
-    let settler = both(ICARUS, YOSYS);
+    let settler = || both(ICARUS, YOSYS);
     let trials = vec![
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
@@ -61,7 +63,9 @@ fn main() {
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
         ICARUS.trial("the_readmes_buggy_adder_is_named", readme::buggy_adder),
         ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
-        settler.soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
+        settler().trial("the_mutation_recipe_says_what_is_missing", recipe::says_what_is_missing),
+        settler().soak_trial("the_mutation_recipe_scores_our_devices", recipe::scores_our_devices),
+        settler().soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

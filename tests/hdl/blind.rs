@@ -12,7 +12,7 @@ mod operator;
 #[path = "blind/report.rs"]
 mod report;
 #[path = "blind/sample.rs"]
-mod sample;
+pub(crate) mod sample;
 #[path = "blind/settle.rs"]
 mod settle;
 #[path = "blind/source.rs"]
@@ -25,6 +25,8 @@ use report::{Report, Trust, trust};
 use sample::{Devices, Sample};
 use serde::Serialize;
 use settle::{Settled, differ, same};
+use std::fs::File;
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::thread;
@@ -152,7 +154,9 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
             std::fs::write(home.path().join("set"), SETS[n]).unwrap();
             save(home.path(), &keep.join(&fate.id));
         }
-        if how != ENDLESS {
+        // A choice of causes, or none, is not confident and needs no second opinion.
+        let confident = fate.reports.iter().any(|report| report.causes.len() == 1);
+        if confident && how != ENDLESS {
             let again = tempfile::tempdir().unwrap();
             failure(again.path(), &sets.second[n], &device, sets.limit);
             fate.second = reports(again.path(), &sets.second[n]);
@@ -250,6 +254,11 @@ pub(crate) fn sampled(_: &str) {
             mutants.push(mutant);
         }
     }
+    // As they come: a long run that is stopped has told what it knew.
+    let file = Mutex::new(sets.keep.as_ref().map(|keep| {
+        std::fs::create_dir_all(keep).unwrap();
+        File::create(keep.join("blind.jsonl")).unwrap()
+    }));
     let queue = Mutex::new(mutants.iter().enumerate());
     let fates = Mutex::new(Vec::new());
     thread::scope(|scope| {
@@ -259,18 +268,17 @@ pub(crate) fn sampled(_: &str) {
                     let next = queue.lock().unwrap().next();
                     let Some((number, mutant)) = next else { break };
                     let fate = fate(&sets, &devices, number, mutant);
-                    fates.lock().unwrap().push(fate);
+                    let mut fates = fates.lock().unwrap();
+                    if let Some(file) = &mut *file.lock().unwrap() {
+                        writeln!(file, "{}", serde_json::to_string(&fate).unwrap()).unwrap();
+                    }
+                    fates.push(fate);
                 }
             });
         }
     });
     let mut fates = fates.into_inner().unwrap();
     fates.sort_by(|a, b| a.id.cmp(&b.id));
-    if let Some(keep) = &sets.keep {
-        let lines = fates.iter().map(|fate| serde_json::to_string(fate).unwrap() + "\n");
-        std::fs::create_dir_all(keep).unwrap();
-        std::fs::write(keep.join("blind.jsonl"), lines.collect::<String>()).unwrap();
-    }
     eprintln!("seed {seed}, {rows} rows, {} of {} possible mutants", fates.len(), sample.possible);
     judge(&fates);
 }

@@ -148,6 +148,7 @@ pub(crate) fn scripts_are_clean(shellcheck: &str) {
     let mut command = Command::new(shellcheck);
     command.current_dir(env!("CARGO_MANIFEST_DIR")).arg("--shell=bash");
     command.args(["recipes/slurm/part.sbatch", "recipes/slurm/merge.sbatch"]);
+    command.arg("recipes/mutation/mutate.sh");
     let ran = Ran::from(command.arg("tests/slurm/cluster.sh").output().unwrap());
     assert_eq!((ran.status, &*ran.out), (Some(0), ""));
 }

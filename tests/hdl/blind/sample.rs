@@ -147,7 +147,7 @@ fn below(state: &mut u64, bound: usize) -> usize {
 }
 
 /// ISO year and week, as `date +%G%V` prints them: a sample a week.
-pub(super) fn week(now: SystemTime) -> u64 {
+pub(crate) fn week(now: SystemTime) -> u64 {
     let days = now.duration_since(UNIX_EPOCH).unwrap().as_secs() / 86_400;
     // A week belongs to the year of its Thursday, and day 0 was one.
     let mut thursday = days + 3 - (days + 3) % 7;
