@@ -94,6 +94,9 @@ fn compare(
     })
     .map_err(compare_failure)?;
     for (dump, report) in dumps.iter().zip(&reports) {
+        if dut.is_dir() {
+            output.line(format!("== {}", dump.display()))?;
+        }
         one(dump, report, arguments, output)?;
     }
     output.flush()?;

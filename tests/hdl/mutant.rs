@@ -107,32 +107,29 @@ fn fate(sets: &[PathBuf], mutant: &Mutant) -> Fate {
     fate
 }
 
-/// Asks the command about each dump that the bench wrote.
+/// Asks the command about the dumps that the bench wrote.
 fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
-    for stem in ["dda.exp", "edge.exp", "setup.exp", "span.exp", "depth.exp", "triangle.exp"] {
-        let dump = home.join(format!("{stem}.dut.tv"));
-        if dump.metadata().map_or(0, |file| file.len()) == 0 {
-            continue;
+    let arguments =
+        format!("verify {} --dut {} --errors 1000000", set.display(), home.display());
+    let ran = run_in(home, &arguments);
+    assert!(matches!(ran.status, Some(0 | 1)), "{}: {} {}", fate.mutant.id, ran.out, ran.err);
+    // The head of a mismatch ends with the test: bench, class and index.
+    let heads = ran.out.lines().filter(|line| line.contains(".dut.tv:"));
+    let tests = heads.filter_map(|line| line.split(' ').next_back()?.rsplit_once('/'));
+    fate.classes.extend(tests.map(|(class, _)| class.to_owned()));
+    for section in ran.out.split("\n== ") {
+        let list = |head: &str| -> Vec<String> {
+            let list = section.split_once(head).map_or("", |(_, list)| list);
+            let list = list.lines().take_while(|line| line.starts_with(' '));
+            list.map(|line| line.trim().to_owned()).collect()
+        };
+        if let Some((_, cause)) = section.split_once("likely cause: ") {
+            let said = cause.lines().take(1).map(str::to_owned);
+            let same = list("in every row of this set it is the same as:\n");
+            fate.named.push(said.chain(same).collect::<Vec<_>>().join(" | "));
         }
-        let arguments =
-            format!("verify {} --dut {} --errors 1000000", set.display(), dump.display());
-        let ran = run_in(home, &arguments);
-        if ran.status == Some(0) {
-            continue;
-        }
-        assert_eq!(ran.status, Some(1), "{}: {} {}", fate.mutant.id, ran.out, ran.err);
-        // The head of a mismatch ends with the test: bench, class and index.
-        let heads = ran.out.lines().filter(|line| line.contains(".dut.tv"));
-        let tests = heads.filter_map(|line| line.split(' ').next_back()?.rsplit_once('/'));
-        fate.classes.extend(tests.map(|(class, _)| class.to_owned()));
-        if let Some((_, cause)) = ran.out.split_once("likely cause: ") {
-            fate.named.push(cause.trim().to_owned());
-        } else if let Some((_, causes)) =
-            ran.out.split_once("each of which explains the whole dump:")
-        {
-            fate.listed.extend(causes.lines().map(|line| line.trim().to_owned()));
-        }
-        let lost = ran.out.lines().filter(|line| line.contains("rows are lost on the way"));
+        fate.listed.extend(list("each of which explains the whole dump:\n"));
+        let lost = section.lines().filter(|line| line.contains("rows are lost on the way"));
         fate.listed.extend(lost.map(str::to_owned));
     }
 }
@@ -193,6 +190,7 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
         if verdict.chars().all(|c| c.is_uppercase() || c == ' ') {
             faults.push(format!("{id}: {verdict}: {:?} {:?}", fate.named, fate.listed));
         }
+        eprintln!("{verdict} {id}: {:?} | {:?} | {:?}", fate.mutant.cause, fate.named, fate.listed);
         if fate.mutant.equivalent.is_none() {
             live += 1;
             right += usize::from(fate.right() && !fate.wrong());

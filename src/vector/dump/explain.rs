@@ -82,7 +82,8 @@ pub(super) struct Causes {
     pub(super) lost: bool,
 }
 
-/// Most changes that one of them is picked out of, if all are of one part.
+/// Most changes of one module that count as one thing said in several ways: no row of the set tells
+/// them apart.
 const RIVALS: usize = 4;
 
 /// Looks for the cause among the suspects of the bench: what explains every row of every dump.
@@ -109,11 +110,9 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
     let lost = named.is_empty()
         && group.iter().zip(&maps).all(|(judged, map)| is_part(judged, map.as_ref()));
     named.sort_by_key(|(rank, ..)| *rank);
-    let simplest = named.first().map(|(rank, ..)| *rank);
-    let simple = named.iter().filter(|(rank, ..)| Some(*rank) == simplest).count();
     let module = |place: Option<(&'static str, &'static str)>| place.map(|(module, _)| module);
     let together = named.iter().all(|(.., place)| module(*place) == module(named[0].2));
-    let sure = named.len() == 1 || simple == 1 && together && named.len() <= RIVALS;
+    let sure = named.len() == 1 || together && (1..=RIVALS).contains(&named.len());
     let named = named.into_iter().map(|(_, change, place)| (change, place)).collect();
     Causes { named, sure, tried, lost }
 }

@@ -198,6 +198,18 @@ impl<'p> Plane<'p> {
     }
 }
 
+/// Held words, each perhaps in the place of another.
+fn exchanged(path: &Path, held: &[i128]) -> Vec<i128> {
+    let named: [(&'static str, i128); 9] = std::array::from_fn(|k| (HELD[k], held[k]));
+    let mut words: Vec<i128> =
+        (0..9).map(|k| path.choose("which edge word is held", k, named)).collect();
+    if let [init, dx, dy] = held[9..] {
+        let named = [("depth_init", init), ("depth_dx", dx), ("depth_dy", dy)];
+        words.extend((0..3).map(|k| path.choose("which depth word is held", k, named)));
+    }
+    words
+}
+
 impl Engine {
     /// Draws set-up words, with the flag of no area, over a box; `None` if it never ends.
     pub(super) fn draw(
@@ -230,14 +242,17 @@ impl Engine {
                 path.word(name, *word, width)
             })
             .collect();
+        let held = exchanged(path, &held);
         let flag = *words.last().unwrap_or(&0);
         let nothing = path.when("the flag of no area stops the engine", flag != 0);
         answer.zero_area = path.when("the flag of no area is handed on", flag != 0);
         let [x0, y0, x1, y1] = bounds.map(i128::from);
-        let left = path.word("the held left side", x0, PIXEL);
-        let right = path.word("the held right side", x1, PIXEL);
-        let top = path.word("the held top", y0, PIXEL);
-        let bottom = path.word("the held bottom", y1, PIXEL);
+        let sides = [("left", x0), ("right", x1), ("top", y0), ("bottom", y1)];
+        let side = |pick| path.choose("which side of the box is held", pick, sides);
+        let left = path.word("the held left side", side(0), PIXEL);
+        let right = path.word("the held right side", side(1), PIXEL);
+        let top = path.word("the held top", side(2), PIXEL);
+        let bottom = path.word("the held bottom", side(3), PIXEL);
         kept.spans = path.choose(
             "spans at a new record",
             0,

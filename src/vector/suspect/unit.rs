@@ -58,6 +58,26 @@ const SCALES: Three = [
     "left shift of the numerator of depth_dy",
 ];
 
+/// The difference of two vertices in one coordinate; either may be that of another vertex, or another
+/// coordinate.
+fn difference(
+    path: &Path,
+    [name, first, second]: [&'static str; 3],
+    v: [i128; 3],
+    [from, less]: [usize; 2],
+    other: i128,
+    width: u32,
+) -> i128 {
+    let vertices = ["the first vertex's", "the second vertex's", "the third vertex's"];
+    let near = |own: usize| {
+        let others = [(own + 1) % 3, (own + 2) % 3].map(|n| (vertices[n], v[n]));
+        [others[0], others[1], ("another coordinate", other), ("zero", 0)]
+    };
+    let a = path.choose_near(first, 0, [(vertices[from], v[from])], near(from));
+    let b = path.choose_near(second, 0, [(vertices[less], v[less])], near(less));
+    path.sum(name, Operator::Subtract, [a, b], width)
+}
+
 impl Unit<'_> {
     /// Its words and the flag of no area.
     pub(super) fn words(&self, path: &Path, triangle: &Triangle, z: [i128; 3]) -> Vec<i128> {
@@ -71,9 +91,13 @@ impl Unit<'_> {
         let mut y = [0, 1, 2].map(|k| coordinate(VERTEX_Y[k], triangle.xy[k][1]));
         let depth_bits = self.depth.read_out().integer();
         let mut z = [0, 1, 2].map(|k| path.word(VERTEX_Z[k], z[k], depth_bits));
-        let minus = |name, a, b| path.sum(name, Operator::Subtract, [a, b], bits + 2);
-        let [x01, y01] = [minus("x1 - x0", x[1], x[0]), minus("y1 - y0", y[1], y[0])];
-        let [x02, y02] = [minus("x2 - x0", x[2], x[0]), minus("y2 - y0", y[2], y[0])];
+        let side = |names: [&'static str; 3], v: [i128; 3], from: usize, other: i128| {
+            difference(path, names, v, [from, 0], other, bits + 2)
+        };
+        let x01 = side(["x1 - x0", "x1 in x1 - x0", "x0 in x1 - x0"], x, 1, y[1]);
+        let y01 = side(["y1 - y0", "y1 in y1 - y0", "y0 in y1 - y0"], y, 1, x[1]);
+        let x02 = side(["x2 - x0", "x2 in x2 - x0", "x0 in x2 - x0"], x, 2, y[2]);
+        let y02 = side(["y2 - y0", "y2 in y2 - y0", "y0 in y2 - y0"], y, 2, x[2]);
         let area2 = path.sum(
             "twice the area",
             Operator::Subtract,
@@ -211,9 +235,15 @@ impl Unit<'_> {
     fn plane(&self, path: &Path, [x, y, z]: [[i128; 3]; 3], area: i128) -> [i128; 3] {
         let bits = self.coordinate + 2;
         let minus = |name, a, b| path.sum(name, Operator::Subtract, [a, b], bits);
-        let (zab, zac) = (minus("zb - za", z[1], z[0]), minus("zc - za", z[2], z[0]));
-        let (xab, yab) = (minus("xb - xa", x[1], x[0]), minus("yb - ya", y[1], y[0]));
-        let (xac, yac) = (minus("xc - xa", x[2], x[0]), minus("yc - ya", y[2], y[0]));
+        let side = |names: [&'static str; 3], v: [i128; 3], from: usize, other: i128| {
+            difference(path, names, v, [from, 0], other, bits)
+        };
+        let zab = side(["zb - za", "zb in zb - za", "za in zb - za"], z, 1, x[1]);
+        let zac = side(["zc - za", "zc in zc - za", "za in zc - za"], z, 2, x[2]);
+        let xab = side(["xb - xa", "xb in xb - xa", "xa in xb - xa"], x, 1, y[1]);
+        let yab = side(["yb - ya", "yb in yb - ya", "ya in yb - ya"], y, 1, x[1]);
+        let xac = side(["xc - xa", "xc in xc - xa", "xa in xc - xa"], x, 2, y[2]);
+        let yac = side(["yc - ya", "yc in yc - ya", "ya in yc - ya"], y, 2, x[2]);
         let wide = 2 * bits;
         let gx = path.sum(
             "the numerator dz/dx",

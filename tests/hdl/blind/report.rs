@@ -9,6 +9,8 @@ pub(super) struct Report {
     pub(super) file: String,
     /// Causes that explain the whole dump. One is said with confidence, several are a choice.
     pub(super) causes: Vec<String>,
+    /// The single cause in other words: no row of the set tells them apart.
+    pub(super) rivals: Vec<String>,
     /// Where the report places the defect: a unit, and the columns that differ.
     pub(super) placed: Option<(String, String)>,
     /// Classes of tests that differ.
@@ -28,6 +30,9 @@ impl Report {
             let list = list.lines().take_while(|line| line.starts_with(' '));
             causes.extend(list.map(|line| line.trim().to_owned()));
         }
+        let same = text.split_once("it is the same as:\n").map_or("", |(_, list)| list);
+        let same = same.lines().take_while(|line| line.starts_with(' '));
+        let rivals = same.map(|line| line.trim().to_owned()).collect();
         let placed = after("placed: ").next().map(|line| {
             let (unit, columns) = line.split_once(", columns ").unwrap_or((line, ""));
             (unit.to_owned(), columns.to_owned())
@@ -44,14 +49,13 @@ impl Report {
         let text =
             lines[..lines.len().min(12)].iter().chain(&lines[end.max(12).min(lines.len())..]);
         let text = text.copied().collect::<Vec<_>>().join("\n");
-        Self { file: file.to_owned(), causes, placed, classes, text }
+        Self { file: file.to_owned(), causes, rivals, placed, classes, text }
     }
 
-    /// Whether the unit is the module, or names it in words.
+    /// Whether the first unit named is the module.
     pub(super) fn places(&self, module: &str) -> bool {
         self.placed.as_ref().is_some_and(|(unit, columns)| {
-            let unit = unit.replace(['_', '-'], " ");
-            !columns.is_empty() && unit.contains(&module.replace('_', " "))
+            !columns.is_empty() && unit.split(" or ").next() == Some(module)
         })
     }
 }
@@ -76,7 +80,11 @@ pub(super) fn trust(first: &[Report], second: &[Report]) -> Trust {
         first.iter().filter(|report| report.causes.len() == 1).map(|report| {
             match second.iter().find(|other| other.file == report.file) {
                 None => Trust::Open,
-                Some(other) if other.causes.contains(&report.causes[0]) => Trust::Confirmed,
+                Some(other)
+                    if other.causes.iter().chain(&other.rivals).any(|c| *c == report.causes[0]) =>
+                {
+                    Trust::Confirmed
+                }
                 Some(_) => Trust::Wrong,
             }
         });
