@@ -1,4 +1,4 @@
-// guardbit vector set tiny, model version 1: devices that pass, in SystemVerilog, generated.
+// guardbit vector set tiny, model version 2: devices that pass, in SystemVerilog, generated.
 //
 // Small, synthesizable and plain. Put your own modules in their place: same names, same ports,
 // no parameters needed. Run from inside the set folder:

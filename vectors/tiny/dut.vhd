@@ -1,4 +1,4 @@
--- guardbit vector set tiny, model version 1: devices that pass, in VHDL-2008, generated.
+-- guardbit vector set tiny, model version 2: devices that pass, in VHDL-2008, generated.
 --
 -- Small, synthesizable and plain. Put your own entities in their place: same names, same ports,
 -- no generics needed. Run from inside the set folder:

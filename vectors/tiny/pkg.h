@@ -1,4 +1,4 @@
-/* guardbit vector set tiny, model version 1: header for C99 and C++, generated.
+/* guardbit vector set tiny, model version 2: header for C99 and C++, generated.
  *
  * Widths, row counts and records of every file of the set. A record's words are raw patterns;
  * columns wider than 64 bits are two words, low word first. Read a file line by line:
@@ -15,7 +15,7 @@
 #include <stdint.h>
 
 #define GUARDBIT_SET "tiny"
-#define GUARDBIT_MODEL_VERSION 1
+#define GUARDBIT_MODEL_VERSION 2
 
 /* Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits. */
 #define GUARDBIT_GUARD_BITS 1

@@ -1,4 +1,4 @@
-// guardbit vector set tiny, model version 1: SystemVerilog package, generated.
+// guardbit vector set tiny, model version 2: SystemVerilog package, generated.
 //
 // Widths, row counts and records of every file of the set. Each column fills whole nibbles, its
 // value in the low bits, so a line read by $readmemh unpacks by assignment:
@@ -10,7 +10,7 @@
 //     $ verilator --binary -O3 -Wno-fatal --top-module tb pkg.sv dut.sv tb.sv -o sim && obj_dir/sim
 package guardbit_pkg;
     localparam SET = "tiny";
-    localparam int MODEL_VERSION = 1;
+    localparam int MODEL_VERSION = 2;
 
     // Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits.
     localparam int GUARD_BITS = 1;

@@ -1,4 +1,4 @@
-// guardbit vector set tiny, model version 1: macros for Verilog-2001, generated.
+// guardbit vector set tiny, model version 2: macros for Verilog-2001, generated.
 //
 // Each column fills whole nibbles of a record, its value in the low bits:
 //     `include "pkg.vh"
@@ -12,7 +12,7 @@
 `define GUARDBIT_PKG_VH
 
 `define GUARDBIT_SET "tiny"
-`define GUARDBIT_MODEL_VERSION 1
+`define GUARDBIT_MODEL_VERSION 2
 
 // Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits.
 `define GUARDBIT_GUARD_BITS 1

@@ -1,4 +1,4 @@
--- guardbit vector set tiny, model version 1: VHDL-2008 package, generated.
+-- guardbit vector set tiny, model version 2: VHDL-2008 package, generated.
 --
 -- Widths, row counts and records of every file of the set. Each column fills whole nibbles of a
 -- line, its value in the low bits; hread passes over the separators:
@@ -13,7 +13,7 @@ use ieee.numeric_std.all;
 
 package guardbit_pkg is
     constant SET : string := "tiny";
-    constant MODEL_VERSION : natural := 1;
+    constant MODEL_VERSION : natural := 2;
 
     -- Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits.
     constant GUARD_BITS : natural := 1;

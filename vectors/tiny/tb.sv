@@ -1,4 +1,4 @@
-// guardbit vector set tiny, model version 1: SystemVerilog testbench, generated.
+// guardbit vector set tiny, model version 2: SystemVerilog testbench, generated.
 //
 // Drives the devices of dut.sv (replace them with yours, same ports) with the set beside this
 // file and compares every row. Run from inside the set folder:
