@@ -89,7 +89,16 @@ fn compare(
         dump::compare(set, dut, arguments.file.as_deref(), arguments.errors.max(1))
     })
     .map_err(compare_failure)?;
+    for assumed in &report.assumed {
+        output.line(format!("assumed: {assumed}"))?;
+    }
     if report.total == 0 {
+        if !report.others.is_empty() {
+            output.line(format!(
+                "not compared: {}, which the same device answers",
+                report.others.join(", ")
+            ))?;
+        }
         output.line(format!("PASS: {} rows of {} agree", report.rows, report.file))?;
         output.flush()?;
         return Ok(Outcome::Good);
@@ -113,6 +122,9 @@ fn compare(
         output.line(format!(
             "line {line} of the dump ends in the middle of a row: the simulation stopped there"
         ))?;
+    }
+    if let Some(origin) = &report.origin {
+        output.line(format!("perhaps the dump of another device: {origin}"))?;
     }
     if report.short && !report.disagrees {
         output.line("every row of the dump agrees; only the rows after its end are missing")?;

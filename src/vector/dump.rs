@@ -3,6 +3,7 @@
 
 mod compare;
 mod explain;
+mod origin;
 mod read;
 
 pub use read::{Dump, DumpError};
@@ -77,6 +78,12 @@ pub struct DumpReport {
     pub cut: Option<u64>,
     /// Whether anything disagrees beside the rows missing from the end.
     pub disagrees: bool,
+    /// What was assumed to read the dump.
+    pub assumed: Vec<String>,
+    /// The other files that the same device answers, and that were not compared.
+    pub others: Vec<String>,
+    /// Whose rows these are, where they are those of another file or of another set.
+    pub origin: Option<String>,
 }
 
 /// One expectation file of a set and the bench behind it.
@@ -128,22 +135,33 @@ pub fn compare(
     file: Option<&str>,
     most: usize,
 ) -> Result<DumpReport, CompareError> {
-    let subject = subject(set, dump, file)?;
+    let (subject, all) = subject(set, dump, file)?;
     // Read once, then judged: against the expectation, and where that fails against every suspect.
-    let rows = Dump::read(dump, &subject.spec.columns)?;
+    let rows = Dump::read(dump, &subject.spec.columns)
+        .map_err(|error| origin::of_error(error, dump, &subject, &all))?;
     let mut report = compare::against(&subject, &rows, most);
     if report.rows == 0 && report.expected_rows > 0 {
         return Err(DumpError::Empty { path: dump.display().to_string() }.into());
     }
     report.file = format!("{}.tv", subject.spec.stem);
+    report.assumed = rows.assumed().to_vec();
+    let answers = subject.bench.files().into_iter().filter(|spec| spec.stem.contains(".exp"));
+    let others = answers.filter(|spec| spec.stem != subject.spec.stem);
+    report.others = others.map(|spec| format!("{}.tv", spec.stem)).collect();
     if report.disagrees {
+        report.origin = origin::of_rows(set, dump, &subject);
         let causes = explain::causes(&subject, &rows, report.short);
         (report.causes, report.tried, report.lost) = (causes.named, causes.tried, causes.lost);
     }
     Ok(report)
 }
 
-fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, CompareError> {
+/// The file that a dump answers, and all files that one could.
+fn subject(
+    set: &OpenSet,
+    dump: &Path,
+    file: Option<&str>,
+) -> Result<(Subject, Vec<FileSpec>), CompareError> {
     let (format, zstd) = super::check::format(set)?;
     if format != super::table::RowFormat::Tv || zstd {
         return Err(CompareError::Format(set.manifest.format.clone()));
@@ -152,18 +170,21 @@ fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, Co
     let own_name = dump.file_name().map(|name| name.to_string_lossy().into_owned());
     let wanted = file.map(str::to_owned).or(own_name).unwrap_or_default();
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
-    let mut known = Vec::new();
+    let (mut found, mut known) = (None, Vec::new());
     for bench in source.benches() {
-        let specs = bench.files();
-        for (file, spec) in specs.into_iter().enumerate() {
-            if !spec.stem.contains(".exp") {
-                continue;
-            }
-            if wanted.starts_with(&spec.stem) {
-                return Ok(Subject { bench, file, spec, shard, count: source.count });
-            }
-            known.push(spec.stem);
+        let specs = bench.files().into_iter().enumerate();
+        let answers: Vec<_> = specs.filter(|(_, spec)| spec.stem.contains(".exp")).collect();
+        known.extend(answers.iter().map(|(_, spec)| spec.clone()));
+        let mut named = answers.into_iter().filter(|(_, spec)| wanted.starts_with(&spec.stem));
+        if let (None, Some((file, spec))) = (&found, named.next()) {
+            found = Some(Subject { bench, file, spec, shard, count: source.count });
         }
     }
-    Err(CompareError::Unknown { name: wanted, known: known.join(", ") })
+    let names = |known: &[FileSpec]| {
+        known.iter().map(|spec| spec.stem.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    match found {
+        Some(subject) => Ok((subject, known)),
+        None => Err(CompareError::Unknown { name: wanted, known: names(&known) }),
+    }
 }

@@ -22,6 +22,22 @@ package guardbit_pkg;
     localparam int CLAMP_SATURATE = 3;
     localparam int CLAMP_MODE = CLAMP_GUARD;
 
+    // Set-up.
+    // sub-pixel bits of a vertex
+    localparam int SUB_PIXEL_BITS = 1;
+    // the sample in its pixel, in sub-pixels
+    localparam int SAMPLE_X = 1;
+    // the same, downward
+    localparam int SAMPLE_Y = 1;
+    // fill rule: 0 top-left, 1 shadow
+    localparam int SHADOW_RULE = 0;
+    // low bits of an edge value that are not kept
+    localparam int EDGE_SHIFT = 1;
+    // of start and slopes, as setup_divider has it: nearest-even
+    localparam int ROUNDING = 4;
+    // 1: the start gains half a depth step
+    localparam int START_HALF = 0;
+
     // op columns: what the device does at the clock edge; the row gives the state after it.
     localparam logic [1:0] OP_LOAD = 2'd0;
     localparam logic [1:0] OP_STEP_X = 2'd1;
