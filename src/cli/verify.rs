@@ -18,7 +18,8 @@ pub(crate) struct Arguments {
     /// The folder of one set, or a folder with several sets.
     #[arg(default_value = "guardbit-vectors")]
     dir: PathBuf,
-    /// The dump: the outputs of a device, in the format of an exp file of the set.
+    /// The dump: the outputs of a device, in the format of an exp file of the set, as a memory image, as CSV, or
+    /// with blanks between the columns.
     #[arg(long, value_name = "FILE")]
     dut: Option<PathBuf>,
     /// The exp file to compare the dump with, if the name of the dump does not tell it.

@@ -863,8 +863,11 @@ fn what_is_no_dump_is_refused_with_its_line() {
     assert!(dump::compare(&sets[0], &path, Some("edge.exp"), 20).is_err());
 }
 
-/// The rows of a file as bits, column by column, from the manifest's widths.
-fn bits(golden: &Golden, name: &str) -> Vec<Vec<(String, usize, u128)>> {
+/// The name, the width and the word of each column.
+type Row = Vec<(String, usize, u128)>;
+
+/// The rows of a file, with the manifest's widths.
+fn bits(golden: &Golden, name: &str) -> Vec<Row> {
     let (sets, _) = check::open(&golden.set.folder()).unwrap();
     let file = sets[0].manifest.files.iter().find(|file| file.name == name).unwrap();
     let words = |line: &str| {
@@ -892,7 +895,7 @@ fn a_dump_may_have_the_forms_of_simulators() {
     for name in ["dda.exp.tv", "setup.exp.tv", "depth.exp.tv"] {
         let text = golden.set.text(name);
         let rows = bits(&golden, name);
-        let lines = |line: &dyn Fn(&Vec<(String, usize, u128)>) -> String| {
+        let lines = |line: &dyn Fn(&Row) -> String| {
             rows.iter().map(|row| line(row) + "\n").collect::<String>()
         };
         let joined = |separator: &str, digits: &dyn Fn(usize, u128) -> String| {
@@ -904,13 +907,15 @@ fn a_dump_may_have_the_forms_of_simulators() {
         let padded =
             |width: usize, word: u128| format!("{word:0digits$x}", digits = width.div_ceil(4));
         let packed = lines(&|row| {
-            let all: String =
-                row.iter().map(|(_, width, word)| format!("{word:0width$b}")).collect();
-            let all = format!("{}{all}", "0".repeat(all.len().next_multiple_of(4) - all.len()));
-            let nibbles = all.as_bytes().chunks(4);
+            // From the last digit to the first.
+            let mut all: Vec<u8> = Vec::new();
+            for (_, width, word) in row.iter().rev() {
+                all.extend((0..*width).map(|bit| u8::try_from(word >> bit & 1).unwrap()));
+            }
             let digit =
-                |bits: &[u8]| u8::from_str_radix(std::str::from_utf8(bits).unwrap(), 2).unwrap();
-            nibbles.map(|bits| format!("{:x}", digit(bits))).collect()
+                |bits: &[u8]| bits.iter().rev().fold(0, |digit, bit| digit << 1 | u32::from(*bit));
+            let digits = all.chunks(4).rev().map(|bits| char::from_digit(digit(bits), 16).unwrap());
+            digits.collect()
         });
         // A column more in front, and the others from the last to the first.
         let names: Vec<&str> = rows[0].iter().map(|(name, ..)| name.as_str()).rev().collect();

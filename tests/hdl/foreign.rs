@@ -19,6 +19,45 @@ fn bench(folder: &Path, plusargs: &[&str]) -> (bool, String) {
     (ended, text)
 }
 
+/// A device behind two registers.
+const LATE: &str = "
+module @NAME@ (
+    input logic clk, rst, input logic [1:0] op, input logic [@W@-1:0] @IN@,
+    output logic [@W@-1:0] @STATE@, output logic [@O@-1:0] @OUT@
+);
+    wire [@W@-1:0] now;
+    wire [@O@-1:0] read;
+    @NAME@_core core (.clk(clk), .rst(rst), .op(op), @PORTS@, .@STATE@(now), .@OUT@(read));
+    logic [@W@+@O@-1:0] first;
+    always_ff @(posedge clk) begin
+        first <= {now, read};
+        {@STATE@, @OUT@} <= first;
+    end
+endmodule
+";
+
+/// A device behind three registers that says when it takes a row and when it answers.
+const VALID: &str = "
+module @NAME@ (
+    input logic clk, rst, input logic [1:0] op, input logic in_valid, output logic out_valid,
+    input logic [@W@-1:0] @IN@,
+    output logic [@W@-1:0] @STATE@, output logic [@O@-1:0] @OUT@
+);
+    wire [@W@-1:0] now;
+    wire [@O@-1:0] read;
+    @NAME@_core core (.clk(clk), .rst(rst), .op(in_valid ? op : 2'd3), @PORTS@, .@STATE@(now), .@OUT@(read));
+    logic [@W@+@O@-1:0] first, second;
+    logic [3:0] seen;
+    assign out_valid = seen[3];
+    always_ff @(posedge clk) begin
+        first <= {now, read};
+        second <= first;
+        {@STATE@, @OUT@} <= second;
+        seen <= rst ? 0 : {seen[2:0], in_valid};
+    end
+endmodule
+";
+
 /// The walks of a set's devices, their outputs two clocks late; with `valid`, three clocks and two ports more.
 fn registered(devices: &str, valid: bool) -> String {
     let core = |text: String, name: &str| {
@@ -29,44 +68,21 @@ fn registered(devices: &str, valid: bool) -> String {
     for (name, state, inputs, output) in
         [("dda", "acc", "init, dx, dy", "out_v"), ("edge_stepper", "e", "e0, ea, eb", "in_v")]
     {
-        // The wrapper is as wide as the device's own default.
-        let ports: String =
-            inputs.split(", ").map(|id| format!(".{id}({id}), ")).collect::<String>();
+        // The wrapper is as wide as the device of `tiny`.
+        let ports: Vec<String> = inputs.split(", ").map(|id| format!(".{id}({id})")).collect();
         let (width, out) = if name == "dda" { ("7", "3") } else { ("6", "1") };
-        let (more, op) = if valid {
-            ("    input logic in_valid, output logic out_valid,\n", "in_valid ? op : 2'd3")
-        } else {
-            ("", "op")
-        };
-        let depth = if valid { 3 } else { 2 };
-        text += &format!(
-            "
-module {name} (
-    input logic clk, rst, input logic [1:0] op,
-{more}    input logic [{width}-1:0] {inputs},
-    output logic [{width}-1:0] {state}, output logic [{out}-1:0] {output}
-);
-    wire [{width}-1:0] {state}_now;
-    wire [{out}-1:0] {output}_now;
-    {name}_core core (.clk(clk), .rst(rst), .op({op}), {ports}.{state}({state}_now), .{output}({output}_now));
-    logic [{width}+{out}-1:0] late [0:{depth}-1];
-    assign {{{state}, {output}}} = late[{depth}-1];
-    integer k;
-    always_ff @(posedge clk) begin
-        late[0] <= {{{state}_now, {output}_now}};
-        for (k = 1; k < {depth}; k = k + 1) late[k] <= late[k-1];
-    end
-"
-        );
-        if valid {
-            text += &format!(
-                "    logic [{depth}:0] seen;
-    assign out_valid = seen[{depth}];
-    always_ff @(posedge clk) seen <= rst ? 0 : {{seen[{depth}-1:0], in_valid}};
-"
-            );
-        }
-        text += "endmodule\n";
+        let wrapper = if valid { VALID } else { LATE };
+        let values = [
+            ("@NAME@", name),
+            ("@W@", width),
+            ("@O@", out),
+            ("@IN@", inputs),
+            ("@PORTS@", &ports.join(", ")),
+            ("@STATE@", state),
+            ("@OUT@", output),
+        ];
+        text +=
+            &values.iter().fold(wrapper.to_owned(), |text, (key, value)| text.replace(key, value));
     }
     text
 }

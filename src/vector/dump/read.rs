@@ -186,17 +186,16 @@ impl Dump {
         line: u64,
         ends: bool,
     ) -> Result<(), String> {
-        let form = match self.form.take() {
-            Some(form) => form,
-            None => {
-                let (form, is_header, said) = Form::of(text, columns)?;
-                self.assumed.extend(said);
-                if is_header {
-                    self.form = Some(form);
-                    return Ok(());
-                }
-                form
+        let form = if let Some(form) = self.form.take() {
+            form
+        } else {
+            let (form, is_header, said) = Form::of(text, columns)?;
+            self.assumed.extend(said);
+            if is_header {
+                self.form = Some(form);
+                return Ok(());
             }
+            form
         };
         let row = self.rows();
         let pushed = form.words(text, columns).and_then(|(words, mask)| {

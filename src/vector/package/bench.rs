@@ -19,13 +19,14 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
     let plan = Plan::systemverilog(interface, records);
     let (halves, streams, names) = (&plan.halves, &plan.streams, plan.names());
     let left_out = plan.each_unchecked(LEFT_OUT);
-    let say = plan.each_unchecked("$display(\"NOT CHECKED @BENCH@: @REASON@\");\n");
+    let say = |indent: &str| {
+        plan.each_unchecked(&format!("{indent}$display(\"NOT CHECKED @BENCH@: @REASON@\");\n"))
+    };
     if names.is_empty() {
-        let say = say.lines().map(|line| format!("        {line}\n")).collect::<String>();
-        let text = fill(include_str!("tb.none.sv.in"), &[("LEFT_OUT", &left_out), ("SAY", &say)]);
+        let values = [("LEFT_OUT", left_out.as_str()), ("SAY", &say("        "))];
+        let text = fill(include_str!("tb.none.sv.in"), &values);
         return head(interface, &text);
     }
-    let say = say.lines().map(|line| format!("            {line}\n")).collect::<String>();
     let each = |between: &str, text: &dyn Fn(&str) -> String| {
         names.iter().map(|name| text(name)).collect::<Vec<_>>().join(between)
     };
@@ -43,7 +44,7 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
             ("HALVES", &checks),
             ("INSTANCES", &instances),
             ("LEFT_OUT", &left_out),
-            ("SAY", &say),
+            ("SAY", &say("            ")),
             ("UNCHECKED", &plan.verdict()),
             ("SCOPES", &each(", ", &identifier)),
             ("DONE", &each(" && ", &|name| format!("{name}_done"))),

@@ -81,8 +81,10 @@ impl Form {
         columns: &[Column],
     ) -> Result<(Vec<Word>, Option<&'l str>), String> {
         match self {
-            Self::Joined => in_order(line, line.split('_').collect(), columns, exact),
-            Self::Spaced => in_order(line, line.split_whitespace().collect(), columns, loose),
+            Self::Joined => in_order(line, &line.split('_').collect::<Vec<_>>(), columns, exact),
+            Self::Spaced => {
+                in_order(line, &line.split_whitespace().collect::<Vec<_>>(), columns, loose)
+            }
             Self::Separated(separator, order) => {
                 let fields: Vec<&str> = if *separator == ' ' {
                     line.split_whitespace().collect()
@@ -166,7 +168,7 @@ fn header(fields: &[&str], separator: char, columns: &[Column]) -> Result<Told, 
 /// Fields in the order of the columns, and a mask behind them.
 fn in_order<'l>(
     line: &str,
-    fields: Vec<&'l str>,
+    fields: &[&'l str],
     columns: &[Column],
     word: fn(&str, &Column) -> Result<Word, String>,
 ) -> Result<(Vec<Word>, Option<&'l str>), String> {
