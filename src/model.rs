@@ -22,7 +22,7 @@ use crate::setup::{Triangle, VertexField};
 use crate::value::Depth;
 
 /// The version of the model. Any change of an output bit raises it, and the CHANGELOG names the change.
-pub const MODEL_VERSION: u32 = 1;
+pub const MODEL_VERSION: u32 = 2;
 
 /// A profile, ready to draw.
 #[derive(Debug)]

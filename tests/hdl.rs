@@ -8,6 +8,8 @@ mod bench;
 mod blind;
 #[path = "hdl/cost.rs"]
 mod cost;
+#[path = "hdl/foreign.rs"]
+mod foreign;
 #[path = "hdl/formal.rs"]
 mod formal;
 #[path = "hdl/mutant.rs"]
@@ -55,6 +57,11 @@ fn main() {
         ICARUS.trial("icarus_refuses_spoiled_files", spoiled::icarus),
         VERILATOR.trial("verilator_refuses_spoiled_files", spoiled::verilator),
         GHDL.trial("ghdl_refuses_spoiled_files", spoiled::ghdl),
+        ICARUS.trial("outputs_may_come_late", foreign::latency),
+        ICARUS.trial("parameters_come_from_the_package", foreign::parameters),
+        ICARUS.trial("answers_may_come_in_any_order", foreign::order),
+        ICARUS.trial("what_is_not_checked_is_named", foreign::left_out),
+        VERILATOR.trial("a_dump_is_whole_when_the_bench_stops", foreign::dump_before_the_end),
         ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
         cocotb.soak_trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),
         solver.trial("words_wrap_as_proved", formal::words_wrap),

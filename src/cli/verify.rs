@@ -18,8 +18,9 @@ pub(crate) struct Arguments {
     /// The folder of one set, or a folder with several sets.
     #[arg(default_value = "guardbit-vectors")]
     dir: PathBuf,
-    /// The dump: the outputs of a device, in the format of an exp file of the set. A folder stands for all
-    /// of its dumps, `NAME.exp.dut.tv`: then a cause has to explain every one of them.
+    /// The dump: the outputs of a device, in the format of an exp file of the set, as a memory image, as CSV, or
+    /// with blanks between the columns. A folder stands for all of its dumps, `NAME.exp.dut.tv`: then a cause
+    /// has to explain every one of them.
     #[arg(long, value_name = "FILE")]
     dut: Option<PathBuf>,
     /// The exp file to compare the dump with, if the name of the dump does not tell it.
@@ -136,7 +137,16 @@ fn one(
     arguments: &Arguments,
     output: &mut Output,
 ) -> Result<(), Failure> {
+    for assumed in &report.assumed {
+        output.line(format!("assumed: {assumed}"))?;
+    }
     if report.total == 0 {
+        if !report.others.is_empty() {
+            output.line(format!(
+                "not compared: {}, which the same device answers",
+                report.others.join(", ")
+            ))?;
+        }
         return output.line(format!("PASS: {} rows of {} agree", report.rows, report.file));
     }
     for mismatch in report.mismatches.iter().take(arguments.errors) {
@@ -158,6 +168,9 @@ fn one(
         output.line(format!(
             "line {line} of the dump ends in the middle of a row: the simulation stopped there"
         ))?;
+    }
+    if let Some(origin) = &report.origin {
+        output.line(format!("perhaps the dump of another device: {origin}"))?;
     }
     if report.short && !report.disagrees {
         return output

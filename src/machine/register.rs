@@ -11,7 +11,7 @@ mod slope;
 mod sub_scanline;
 mod text;
 
-pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest};
+pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest, VertexSort};
 pub use engine::EngineConfig;
 pub use input::RegisterError;
 pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};

@@ -4,6 +4,7 @@
 mod compare;
 mod explain;
 mod observe;
+mod origin;
 mod read;
 
 pub use observe::{Differs, Observed};
@@ -86,6 +87,12 @@ pub struct DumpReport {
     pub cut: Option<u64>,
     /// Whether anything disagrees beside the rows missing from the end.
     pub disagrees: bool,
+    /// What was assumed to read the dump.
+    pub assumed: Vec<String>,
+    /// The other files that the same device answers, and that were not compared.
+    pub others: Vec<String>,
+    /// Whose rows these are, where they are those of another file or of another set.
+    pub origin: Option<String>,
 }
 
 /// Where a defect is.
@@ -173,7 +180,13 @@ pub fn compare_all(
     let judged = dumps.iter().map(|dump| judge(set, dump, None, most));
     let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
     diagnose(&mut judged);
-    Ok(judged.into_iter().map(|judged| judged.report).collect())
+    let compared: Vec<String> = judged.iter().map(|judged| judged.report.file.clone()).collect();
+    let reports = judged.into_iter().map(|judged| {
+        let mut report = judged.report;
+        report.others.retain(|other| !compared.contains(other));
+        report
+    });
+    Ok(reports.collect())
 }
 
 fn judge(
@@ -182,15 +195,21 @@ fn judge(
     file: Option<&str>,
     most: usize,
 ) -> Result<Judged, CompareError> {
-    let subject = subject(set, path, file)?;
+    let (subject, all) = subject(set, path, file)?;
     // Read once, then judged: against the expectation, and where that fails against every suspect.
-    let dump = Dump::read(path, &subject.spec.columns)?;
+    let dump = Dump::read(path, &subject.spec.columns)
+        .map_err(|error| origin::of_error(error, path, &subject, &all))?;
     let mut report = compare::against(&subject, &dump, most);
     if report.rows == 0 && report.expected_rows > 0 {
         return Err(DumpError::Empty { path: path.display().to_string() }.into());
     }
     report.file = format!("{}.tv", subject.spec.stem);
+    report.assumed = dump.assumed().to_vec();
+    let answers = subject.bench.files().into_iter().filter(|spec| spec.stem.contains(".exp"));
+    let others = answers.filter(|spec| spec.stem != subject.spec.stem);
+    report.others = others.map(|spec| format!("{}.tv", spec.stem)).collect();
     if report.disagrees {
+        report.origin = origin::of_rows(set, path, &subject);
         report.observed = observe::observe(&subject, &dump);
     }
     Ok(Judged { subject, dump, report })
@@ -239,7 +258,12 @@ fn diagnose(judged: &mut [Judged]) {
     }
 }
 
-fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, CompareError> {
+/// The file that a dump answers, and all files that one could.
+fn subject(
+    set: &OpenSet,
+    dump: &Path,
+    file: Option<&str>,
+) -> Result<(Subject, Vec<FileSpec>), CompareError> {
     let (format, zstd) = super::check::format(set)?;
     if format != super::table::RowFormat::Tv || zstd {
         return Err(CompareError::Format(set.manifest.format.clone()));
@@ -248,19 +272,22 @@ fn subject(set: &OpenSet, dump: &Path, file: Option<&str>) -> Result<Subject, Co
     let own_name = dump.file_name().map(|name| name.to_string_lossy().into_owned());
     let wanted = file.map(str::to_owned).or(own_name).unwrap_or_default();
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
-    let mut known = Vec::new();
+    let (mut found, mut known) = (None, Vec::new());
     for bench in source.benches() {
-        let specs = bench.files();
-        let cfg = specs[0].clone();
-        for (file, spec) in specs.into_iter().enumerate() {
-            if !spec.stem.contains(".exp") {
-                continue;
-            }
-            if wanted.starts_with(&spec.stem) {
-                return Ok(Subject { bench, file, cfg, spec, shard, count: source.count });
-            }
-            known.push(spec.stem);
+        let cfg = bench.files().remove(0);
+        let specs = bench.files().into_iter().enumerate();
+        let answers: Vec<_> = specs.filter(|(_, spec)| spec.stem.contains(".exp")).collect();
+        known.extend(answers.iter().map(|(_, spec)| spec.clone()));
+        let mut named = answers.into_iter().filter(|(_, spec)| wanted.starts_with(&spec.stem));
+        if let (None, Some((file, spec))) = (&found, named.next()) {
+            found = Some(Subject { bench, file, cfg, spec, shard, count: source.count });
         }
     }
-    Err(CompareError::Unknown { name: wanted, known: known.join(", ") })
+    let names = |known: &[FileSpec]| {
+        known.iter().map(|spec| spec.stem.as_str()).collect::<Vec<_>>().join(", ")
+    };
+    match found {
+        Some(subject) => Ok((subject, known)),
+        None => Err(CompareError::Unknown { name: wanted, known: names(&known) }),
+    }
 }

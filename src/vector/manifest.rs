@@ -40,6 +40,9 @@ pub struct Manifest {
     pub groups: Vec<GroupEntry>,
     /// What the rows hit, and what they did not.
     pub coverage: Vec<CoverageEntry>,
+    /// Benches that the testbenches of the set do not drive.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unchecked: Vec<UncheckedEntry>,
     /// SHA-256 of this file with an empty digest.
     pub digest: String,
 }
@@ -112,6 +115,18 @@ pub struct CoverageEntry {
     pub unreachable: Vec<Unreachable>,
     /// Cells that something could hit and nothing did.
     pub open: Vec<String>,
+}
+
+/// A bench of the set that a testbench does not drive.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct UncheckedEntry {
+    /// `tb.sv`, which has the same devices as `tb_cocotb.py`, or `tb.vhd`.
+    pub testbench: String,
+    /// Bench.
+    pub bench: String,
+    /// Why.
+    pub reason: String,
 }
 
 impl Manifest {

@@ -9,6 +9,7 @@ mod bench;
 mod c;
 mod half;
 mod keyword;
+mod plan;
 mod record;
 mod rtl;
 mod stream;
@@ -23,6 +24,8 @@ mod test;
 use crate::bits::Rounding;
 use crate::format::{Clamp, Column};
 pub use keyword::identifier;
+use plan::Plan;
+pub use plan::Unchecked;
 use record::Record;
 
 /// One data file of a set: its name, how many records it holds and what a record is made of.
@@ -64,12 +67,17 @@ pub struct SetupParameters {
     pub shadow: bool,
     /// Low bits of an edge value that are not kept.
     pub shift: u32,
-    /// Bits of an edge word.
-    pub edge: u32,
     /// Rounding of the start and of each slope.
     pub rounding: Rounding,
     /// Whether the start gains half a depth step.
     pub half: bool,
+}
+
+/// What draws set-up words, as `triangle_engine` does it: edge functions and a depth plane over a box.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EngineParameters {
+    /// Whether engines of this profile answer the samples of a triangle in an order of their own.
+    pub any_order: bool,
 }
 
 /// Everything the generated files depend on; equal interfaces give equal text.
@@ -82,8 +90,10 @@ pub struct Interface {
     /// Read-out of the depth machine. Where the set has a `dda` pair, `acc` is
     /// `guard + integer + fraction` bits wide and `out` is `integer` bits wide.
     pub clamp: ClampParameters,
-    /// Set-up, where the devices that this crate brings can do it.
-    pub setup: Option<SetupParameters>,
+    /// Set-up, or why no device that this crate brings can do it.
+    pub setup: Result<SetupParameters, String>,
+    /// The engine, or why no device that this crate brings can do its job.
+    pub engine: Result<EngineParameters, String>,
     /// The data files, in the order they are described.
     pub files: Vec<FileLayout>,
 }
@@ -91,14 +101,12 @@ pub struct Interface {
 /// Names and texts of the generated files, in a fixed order: `pkg.sv`, `pkg.vh`, `pkg.vhd`,
 /// `pkg.h`, `tb.sv`, `dut.sv`, `tb.vhd`, `dut.vhd`, `tb_cocotb.py`.
 ///
-/// The benches check the pairs `dda.cfg.tv` with `dda.exp.tv` and `edge.cfg.tv` with
-/// `edge.exp.tv`. A pair that is missing, or lacks one of its fixed columns, is left out; with
-/// neither, a bench reports that there is nothing to check and fails. Names that are a keyword in
+/// A bench drives every bench of the set for which there is a device. It names the others with the reason,
+/// in its head and beside its verdict ([`unchecked`]); if nothing is left, it says so and fails. Names that are a keyword in
 /// any of the target languages take the suffix `_v` in all of them (`in` is `in_v`), since VHDL
 /// allows no trailing underscore.
 pub fn files(interface: &Interface) -> Vec<(String, String)> {
-    let records: Vec<Record> =
-        interface.files.iter().filter(|file| !file.columns.is_empty()).map(Record::new).collect();
+    let records = records(interface);
     [
         ("pkg.sv", systemverilog::package(interface, &records)),
         ("pkg.vh", verilog::package(interface, &records)),
@@ -112,4 +120,15 @@ pub fn files(interface: &Interface) -> Vec<(String, String)> {
     ]
     .map(|(name, text)| (name.to_owned(), text))
     .to_vec()
+}
+
+/// The benches of the set that its testbenches do not drive, with the reasons.
+pub fn unchecked(interface: &Interface) -> Vec<Unchecked> {
+    let records = records(interface);
+    let plans = [Plan::systemverilog(interface, &records), Plan::vhdl(interface, &records)];
+    plans.into_iter().flat_map(|plan| plan.unchecked).collect()
+}
+
+fn records(interface: &Interface) -> Vec<Record<'_>> {
+    interface.files.iter().filter(|file| !file.columns.is_empty()).map(Record::new).collect()
 }

@@ -1,9 +1,10 @@
 //! Writing sets: built aside, streamed, renamed when whole. Spec clauses `N-6` to `N-11`.
 
 mod finish;
+mod interface;
 mod place;
 
-pub use finish::{account, companions, scene_text};
+pub use finish::{account, companions, scene_text, unchecked};
 
 use super::bench::{Bench, Source};
 use super::emit::{Emitted, Output, emit, files};

@@ -399,13 +399,20 @@ fn sets_of_the_default_job_lie_side_by_side() {
     // A dump answers one set.
     std::fs::write(home.path().join("dda.exp.tv"), "0_0_0\n").unwrap();
     run_in(home.path(), "verify --dut dda.exp.tv").complains(2, &["holds 4 sets", "sgi-4k-g3"]);
-    // What a bench dumps beside a set does not disturb the check, and is not thrown away.
+    // What a bench dumps beside a set does not disturb the check, and goes with the set. Nothing else does.
     let dumped = "guardbit-vectors/sgi-4k-g3/dda.exp.dut.tv";
     std::fs::write(home.path().join(dumped), "0_0_0\n").unwrap();
     run_in(home.path(), "verify").ends(0);
-    run_in(home.path(), "vectors --scene triangle --count 41 --force")
-        .complains(2, &[dumped, "does not belong to a vector set"]);
-    assert!(home.path().join(dumped).is_file());
+    for stranger in ["dda.exp.dut.txt", "dda.cfg.dut.tv", "mine.exp.dut.tv", "sim.vvp"] {
+        let stranger = format!("guardbit-vectors/sgi-4k-g3/{stranger}");
+        std::fs::write(home.path().join(&stranger), "0_0_0\n").unwrap();
+        run_in(home.path(), "vectors --scene triangle --count 41 --force")
+            .complains(2, &[&stranger, "does not belong to a vector set"]);
+        assert!(home.path().join(dumped).is_file());
+        std::fs::remove_file(home.path().join(&stranger)).unwrap();
+    }
+    run_in(home.path(), "vectors --scene triangle --count 41 --force").ends(0);
+    assert!(!home.path().join(dumped).exists());
     std::fs::create_dir(home.path().join("mine")).unwrap();
     std::fs::write(home.path().join("mine/thesis.txt"), "years").unwrap();
     run_in(home.path(), "vectors tiny --scene fan --count 9 --out mine --force")

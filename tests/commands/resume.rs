@@ -6,6 +6,7 @@
 
 use crate::run;
 
+use guardbit::model::MODEL_VERSION;
 use run::{Ran, guardbit, run_in};
 use std::fs;
 use std::path::Path;
@@ -201,7 +202,8 @@ fn a_fit_of_another_model_is_not_joined() {
     }
     run_in(home, &format!("{request} --merge part-0 part-1")).ends(0);
     let text = fs::read_to_string(home.join("part-1")).unwrap();
-    let later = text.replacen(" model 1 ", " model 2 ", 1);
+    let model = |version: u32| format!(" model {version} ");
+    let later = text.replacen(&model(MODEL_VERSION), &model(MODEL_VERSION + 1), 1);
     assert_ne!(later, text, "the file names the model's version");
     fs::write(home.join("part-1"), later).unwrap();
     run_in(home, &format!("{request} --merge part-0 part-1")).complains(2, &["part-1", "another"]);

@@ -109,8 +109,7 @@ fn fate(sets: &[PathBuf], mutant: &Mutant) -> Fate {
 
 /// Asks the command about the dumps that the bench wrote.
 fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
-    let arguments =
-        format!("verify {} --dut {} --errors 1000000", set.display(), home.display());
+    let arguments = format!("verify {} --dut {} --errors 1000000", set.display(), home.display());
     let ran = run_in(home, &arguments);
     assert!(matches!(ran.status, Some(0 | 1)), "{}: {} {}", fate.mutant.id, ran.out, ran.err);
     // The head of a mismatch ends with the test: bench, class and index.

@@ -1,7 +1,8 @@
-// guardbit vector set tiny, model version 1: devices that pass, in SystemVerilog, generated.
+// guardbit vector set tiny, model version 2: devices, in SystemVerilog, generated.
 //
-// Small, synthesizable and plain. Put your own modules in their place: same names, same ports,
-// no parameters needed. Run from inside the set folder:
+// Small, synthesizable devices that pass. Put your own modules in their place: same names, same ports,
+// no parameters needed; with -DGUARDBIT_PARAMETERS the bench sets parameters of these names from pkg.sv.
+// Run from inside the set folder:
 //     $ iverilog -g2012 -o sim.vvp pkg.sv dut.sv tb.sv && vvp -n sim.vvp
 //     $ verilator --binary -O3 -Wno-fatal --top-module tb pkg.sv dut.sv tb.sv -o sim && obj_dir/sim
 

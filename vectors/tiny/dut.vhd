@@ -1,7 +1,10 @@
--- guardbit vector set tiny, model version 1: devices that pass, in VHDL-2008, generated.
+-- guardbit vector set tiny, model version 2: devices, in VHDL-2008, generated.
 --
--- Small, synthesizable and plain. Put your own entities in their place: same names, same ports,
--- no generics needed. Run from inside the set folder:
+-- Small, synthesizable devices that pass. Put your own entities in their place: same names, same ports,
+-- no generics needed.
+-- Not checked, setup: the set has no such device in VHDL; tb.sv checks it.
+-- Not checked, triangle: the set has no such device in VHDL; tb.sv checks it.
+-- Run from inside the set folder:
 --     $ ghdl -a --std=08 pkg.vhd dut.vhd tb.vhd && ghdl -e --std=08 tb && ghdl -r --std=08 tb
 
 -- Digital differential analyzer with a guard clamp: an accumulator, two slopes, and a read-out of

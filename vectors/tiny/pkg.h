@@ -1,4 +1,4 @@
-/* guardbit vector set tiny, model version 1: header for C99 and C++, generated.
+/* guardbit vector set tiny, model version 2: header for C99 and C++, generated.
  *
  * Widths, row counts and records of every file of the set. A record's words are raw patterns;
  * columns wider than 64 bits are two words, low word first. Read a file line by line:
@@ -15,7 +15,7 @@
 #include <stdint.h>
 
 #define GUARDBIT_SET "tiny"
-#define GUARDBIT_MODEL_VERSION 1
+#define GUARDBIT_MODEL_VERSION 2
 
 /* Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits. */
 #define GUARDBIT_GUARD_BITS 1
@@ -26,6 +26,22 @@
 #define GUARDBIT_CLAMP_SIGN 2
 #define GUARDBIT_CLAMP_SATURATE 3
 #define GUARDBIT_CLAMP_MODE GUARDBIT_CLAMP_GUARD
+
+/* Set-up. */
+/* sub-pixel bits of a vertex */
+#define GUARDBIT_SUB_PIXEL_BITS 1
+/* the sample in its pixel, in sub-pixels */
+#define GUARDBIT_SAMPLE_X 1
+/* the same, downward */
+#define GUARDBIT_SAMPLE_Y 1
+/* fill rule: 0 top-left, 1 shadow */
+#define GUARDBIT_SHADOW_RULE 0
+/* low bits of an edge value that are not kept */
+#define GUARDBIT_EDGE_SHIFT 1
+/* of start and slopes, as setup_divider has it: nearest-even */
+#define GUARDBIT_ROUNDING 4
+/* 1: the start gains half a depth step */
+#define GUARDBIT_START_HALF 0
 
 /* op columns: what the device does at the clock edge; the row gives the state after it. */
 #define GUARDBIT_OP_LOAD 0

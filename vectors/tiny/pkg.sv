@@ -1,4 +1,4 @@
-// guardbit vector set tiny, model version 1: SystemVerilog package, generated.
+// guardbit vector set tiny, model version 2: SystemVerilog package, generated.
 //
 // Widths, row counts and records of every file of the set. Each column fills whole nibbles, its
 // value in the low bits, so a line read by $readmemh unpacks by assignment:
@@ -10,7 +10,7 @@
 //     $ verilator --binary -O3 -Wno-fatal --top-module tb pkg.sv dut.sv tb.sv -o sim && obj_dir/sim
 package guardbit_pkg;
     localparam SET = "tiny";
-    localparam int MODEL_VERSION = 1;
+    localparam int MODEL_VERSION = 2;
 
     // Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits.
     localparam int GUARD_BITS = 1;
@@ -21,6 +21,22 @@ package guardbit_pkg;
     localparam int CLAMP_SIGN = 2;
     localparam int CLAMP_SATURATE = 3;
     localparam int CLAMP_MODE = CLAMP_GUARD;
+
+    // Set-up.
+    // sub-pixel bits of a vertex
+    localparam int SUB_PIXEL_BITS = 1;
+    // the sample in its pixel, in sub-pixels
+    localparam int SAMPLE_X = 1;
+    // the same, downward
+    localparam int SAMPLE_Y = 1;
+    // fill rule: 0 top-left, 1 shadow
+    localparam int SHADOW_RULE = 0;
+    // low bits of an edge value that are not kept
+    localparam int EDGE_SHIFT = 1;
+    // of start and slopes, as setup_divider has it: nearest-even
+    localparam int ROUNDING = 4;
+    // 1: the start gains half a depth step
+    localparam int START_HALF = 0;
 
     // op columns: what the device does at the clock edge; the row gives the state after it.
     localparam logic [1:0] OP_LOAD = 2'd0;

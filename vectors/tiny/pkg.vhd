@@ -1,4 +1,4 @@
--- guardbit vector set tiny, model version 1: VHDL-2008 package, generated.
+-- guardbit vector set tiny, model version 2: VHDL-2008 package, generated.
 --
 -- Widths, row counts and records of every file of the set. Each column fills whole nibbles of a
 -- line, its value in the low bits; hread passes over the separators:
@@ -13,7 +13,7 @@ use ieee.numeric_std.all;
 
 package guardbit_pkg is
     constant SET : string := "tiny";
-    constant MODEL_VERSION : natural := 1;
+    constant MODEL_VERSION : natural := 2;
 
     -- Depth machine: accumulator is guard, integer and interpolation bits, output is the integer bits.
     constant GUARD_BITS : natural := 1;
@@ -21,6 +21,22 @@ package guardbit_pkg is
     constant FRACTION_BITS : natural := 3;
     type clamp_t is (CLAMP_WRAP, CLAMP_GUARD, CLAMP_SIGN, CLAMP_SATURATE);
     constant CLAMP_MODE : clamp_t := CLAMP_GUARD;
+
+    -- Set-up.
+    -- sub-pixel bits of a vertex
+    constant SUB_PIXEL_BITS : natural := 1;
+    -- the sample in its pixel, in sub-pixels
+    constant SAMPLE_X : natural := 1;
+    -- the same, downward
+    constant SAMPLE_Y : natural := 1;
+    -- fill rule: 0 top-left, 1 shadow
+    constant SHADOW_RULE : natural := 0;
+    -- low bits of an edge value that are not kept
+    constant EDGE_SHIFT : natural := 1;
+    -- of start and slopes, as setup_divider has it: nearest-even
+    constant ROUNDING : natural := 4;
+    -- 1: the start gains half a depth step
+    constant START_HALF : natural := 0;
 
     -- op columns: what the device does at the clock edge; the row gives the state after it.
     constant OP_LOAD : std_logic_vector(1 downto 0) := "00";

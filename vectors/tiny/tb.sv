@@ -1,12 +1,16 @@
-// guardbit vector set tiny, model version 1: SystemVerilog testbench, generated.
+// guardbit vector set tiny, model version 2: SystemVerilog testbench, generated.
 //
 // Drives the devices of dut.sv (replace them with yours, same ports) with the set beside this
-// file and compares every row. Run from inside the set folder:
+// file and compares every row.
+// Run from inside the set folder:
 //     $ iverilog -g2012 -o sim.vvp pkg.sv dut.sv tb.sv && vvp -n sim.vvp
 //     $ verilator --binary -O3 -Wno-fatal --top-module tb pkg.sv dut.sv tb.sv -o sim && obj_dir/sim
 // It ends with a PASS line, or with a FAIL line and a non-zero exit status. More, after the
 // simulation's name: +dump writes what the devices answer to *.exp.dut.tv, for `guardbit verify
 // --dut`; +vcd=FILE writes waves (Verilator needs --trace when it builds).
+// For walks with registered outputs: +latency=N, or the macro GUARDBIT_VALID (-DGUARDBIT_VALID when you
+// build), as the comment of each walk says. For engines with an order of their own: +anyorder. With the
+// macro GUARDBIT_PARAMETERS the bench sets the parameters of the devices to the constants of pkg.sv.
 //
 // $readmemh and $fscanf hide short files, over-wide words and X digits, each simulator in its own
 // way. So each line is read as text: its length, every character and every padding bit are
@@ -101,6 +105,9 @@ endmodule
 // outputs are compared at the falling edge; the device works at the rising edge. Now and then the
 // bench stalls: it holds for some clocks, with other slopes at the inputs, and nothing may change.
 // With +dump or +vcd it does not stall: rows and waves are then those of the files.
+// With +latency=N the outputs of a clock edge are compared N clocks later. With the macro
+// GUARDBIT_VALID the device has two ports more, in_valid and out_valid: it takes a row where in_valid
+// is high, and its rows are compared in order where out_valid is high.
 module dda_check (
     input  wire       clk,
     output reg        done,
@@ -125,10 +132,23 @@ module dda_check (
     reg [DDA_EXP_BITS-1:0] exp_bits;
     dda_cfg_t cfg;
     dda_exp_t want;
-    longint unsigned walk;                  // number of the walk, from 0
+    dda_exp_t answer;                      // what the outputs are compared with
+    longint unsigned walk;                  // number of the walk, from 1
     longint unsigned row;                   // row within the walk, from 0
     integer reset_left;
-    reg pending;                            // a row has been applied and not yet compared
+    reg pending;                            // a row has been applied at the last falling edge
+    // What the device has been told and has yet to answer, in a ring.
+    localparam integer MOST = 64;
+    integer latency;                        // clocks until an answer, where there is no out_valid
+    reg [5:0] head, tail;                   // where the next entry comes and goes
+    integer entries;
+    integer open;                           // rows among them
+    integer quiet;                          // clocks since the last row, once all are in
+    reg [195+DDA_EXP_BITS:0] ring [0:MOST-1];
+    reg judged;                             // whether the outputs are compared at all
+    reg counted;                            // whether they are those of a row
+    reg [1:0] was_op;
+    longint unsigned was_walk, was_row, was_line;
 
     reg rst;
     reg [1:0] op;
@@ -139,8 +159,18 @@ module dda_check (
     integer dump;
     wire [6:0] acc;
     wire [2:0] out_v;
-    dda device (
+`ifdef GUARDBIT_VALID
+    wire out_valid;
+`endif
+    dda 
+`ifdef GUARDBIT_PARAMETERS
+        #(.G(GUARD_BITS), .I(INTEGER_BITS), .F(FRACTION_BITS), .MODE(CLAMP_MODE))
+`endif
+        device (
         .clk(clk), .rst(rst), .op(op),
+`ifdef GUARDBIT_VALID
+        .in_valid(pending), .out_valid(out_valid),
+`endif
         .init(init), .dx(dx), .dy(dy),
         .acc(acc), .out_v(out_v)
     );
@@ -160,23 +190,46 @@ module dda_check (
         noise = 16'hace1;
         stall_left = 0;
         dump = 0;
+        head = 0;
+        tail = 0;
+        entries = 0;
+        open = 0;
+        quiet = 0;
+        if (!$value$plusargs("latency=%d", latency)) latency = 0;
+        if (latency < 0 || latency >= MOST) begin
+            $display("FAIL +latency=%0d: 0 to %0d is possible", latency, MOST - 1);
+            $fatal(1, "bad latency");
+        end
         stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
         if ($test$plusargs("dump")) dump = $fopen("dda.exp.dut.tv", "w");
     end
 
     task compare;
         begin
-            if (acc !== want.acc) begin
+            {judged, counted, was_op, was_walk, was_row, was_line, exp_bits} = ring[tail];
+            answer = exp_bits;
+            tail = tail + 1;
+            entries = entries - 1;
+            if (counted) begin
+                rows = rows + 1;
+                open = open - 1;
+                quiet = 0;
+                if (dump != 0) begin
+                    $fdisplay(dump, "%h_%h_%h", was_op, acc, out_v);
+                    $fflush(dump);
+                end
+            end
+            if (judged && acc !== answer.acc) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH dda walk %0d row %0d (dda.exp.tv line %0d, op %0d) field acc\n    expected %h  %b.%b.%b\n    got      %h  %b.%b.%b",
-                        walk - 1, row, exp_file.line, op, want.acc, want.acc[6:6], want.acc[5:3], want.acc[2:0], acc, acc[6:6], acc[5:3], acc[2:0]);
+                        was_walk - 1, was_row, was_line, was_op, answer.acc, answer.acc[6:6], answer.acc[5:3], answer.acc[2:0], acc, acc[6:6], acc[5:3], acc[2:0]);
             end
-            if (out_v !== want.out_v) begin
+            if (judged && out_v !== answer.out_v) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH dda walk %0d row %0d (dda.exp.tv line %0d, op %0d) field out\n    expected %h  %b\n    got      %h  %b",
-                        walk - 1, row, exp_file.line, op, want.out_v, want.out_v, out_v, out_v);
+                        was_walk - 1, was_row, was_line, was_op, answer.out_v, answer.out_v, out_v, out_v);
             end
         end
     endtask
@@ -216,16 +269,37 @@ module dda_check (
         end
     endtask
 
+    // What the last rising edge was told, to be compared later.
+    task enter;
+        begin
+            exp_bits = want;
+            ring[head] = {pending || op == OP_HOLD && walk != 0, pending, op, walk, row, exp_file.line, exp_bits};
+            head = head + 1;
+            entries = entries + 1;
+            if (pending) open = open + 1;
+        end
+    endtask
+
     always @(negedge clk)
         if (reset_left > 0)
             reset_left = reset_left - 1;
         else if (!done) begin
             rst = 1'b0;
-            if (pending) begin
-                rows = rows + 1;
-                if (dump != 0) $fdisplay(dump, "%h_%h_%h", op, acc, out_v);
+            quiet = quiet + 1;
+`ifdef GUARDBIT_VALID
+            if (pending) enter;
+            if (out_valid !== 1'b0) begin
+                if (open > 0 && out_valid === 1'b1) compare;
+                else begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= REPORTED)
+                        $display("MISMATCH dda (dda.exp.tv line %0d): out_valid is %b, and %0d rows are awaited", exp_file.line, out_valid, open);
+                end
             end
-            if (pending || op == OP_HOLD && walk != 0) compare;
+`else
+            enter;
+            if (entries > latency) compare;
+`endif
             if (pending && stall_left > 0) begin
                 pending = 1'b0;
                 op = OP_HOLD;
@@ -234,13 +308,20 @@ module dda_check (
                 dy = ~dy;
             end
             if (!pending && stall_left > 0) stall_left = stall_left - 1;
-            else if (exp_file.line < DDA_EXP_ROWS)
+            else if (exp_file.line < DDA_EXP_ROWS && open < MOST - 1)
                 apply;
             else begin
-                exp_file.last;
-                cfg_file.last;
+                pending = 1'b0;
                 op = OP_HOLD;
-                done = 1'b1;
+                if (exp_file.line >= DDA_EXP_ROWS && open == 0) begin
+                    exp_file.last;
+                    cfg_file.last;
+                    done = 1'b1;
+                end
+                else if (quiet > 1000) begin
+                    $display("FAIL dda: out_valid has been low for %0d clocks, and %0d rows are awaited", quiet, open);
+                    $fatal(1, "the device hangs, or rows are missing");
+                end
             end
         end
 endmodule
@@ -249,6 +330,9 @@ endmodule
 // outputs are compared at the falling edge; the device works at the rising edge. Now and then the
 // bench stalls: it holds for some clocks, with other slopes at the inputs, and nothing may change.
 // With +dump or +vcd it does not stall: rows and waves are then those of the files.
+// With +latency=N the outputs of a clock edge are compared N clocks later. With the macro
+// GUARDBIT_VALID the device has two ports more, in_valid and out_valid: it takes a row where in_valid
+// is high, and its rows are compared in order where out_valid is high.
 module edge_check (
     input  wire       clk,
     output reg        done,
@@ -273,10 +357,23 @@ module edge_check (
     reg [EDGE_EXP_BITS-1:0] exp_bits;
     edge_cfg_t cfg;
     edge_exp_t want;
-    longint unsigned walk;                  // number of the walk, from 0
+    edge_exp_t answer;                      // what the outputs are compared with
+    longint unsigned walk;                  // number of the walk, from 1
     longint unsigned row;                   // row within the walk, from 0
     integer reset_left;
-    reg pending;                            // a row has been applied and not yet compared
+    reg pending;                            // a row has been applied at the last falling edge
+    // What the device has been told and has yet to answer, in a ring.
+    localparam integer MOST = 64;
+    integer latency;                        // clocks until an answer, where there is no out_valid
+    reg [5:0] head, tail;                   // where the next entry comes and goes
+    integer entries;
+    integer open;                           // rows among them
+    integer quiet;                          // clocks since the last row, once all are in
+    reg [195+EDGE_EXP_BITS:0] ring [0:MOST-1];
+    reg judged;                             // whether the outputs are compared at all
+    reg counted;                            // whether they are those of a row
+    reg [1:0] was_op;
+    longint unsigned was_walk, was_row, was_line;
 
     reg rst;
     reg [1:0] op;
@@ -287,8 +384,18 @@ module edge_check (
     integer dump;
     wire [5:0] e;
     wire [0:0] in_v;
-    edge_stepper device (
+`ifdef GUARDBIT_VALID
+    wire out_valid;
+`endif
+    edge_stepper 
+`ifdef GUARDBIT_PARAMETERS
+        #(.M(EDGE_EXP_E_WIDTH))
+`endif
+        device (
         .clk(clk), .rst(rst), .op(op),
+`ifdef GUARDBIT_VALID
+        .in_valid(pending), .out_valid(out_valid),
+`endif
         .e0(e0), .ea(ea), .eb(eb),
         .e(e), .in_v(in_v)
     );
@@ -308,23 +415,46 @@ module edge_check (
         noise = 16'hace1;
         stall_left = 0;
         dump = 0;
+        head = 0;
+        tail = 0;
+        entries = 0;
+        open = 0;
+        quiet = 0;
+        if (!$value$plusargs("latency=%d", latency)) latency = 0;
+        if (latency < 0 || latency >= MOST) begin
+            $display("FAIL +latency=%0d: 0 to %0d is possible", latency, MOST - 1);
+            $fatal(1, "bad latency");
+        end
         stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
         if ($test$plusargs("dump")) dump = $fopen("edge.exp.dut.tv", "w");
     end
 
     task compare;
         begin
-            if (e !== want.e) begin
+            {judged, counted, was_op, was_walk, was_row, was_line, exp_bits} = ring[tail];
+            answer = exp_bits;
+            tail = tail + 1;
+            entries = entries - 1;
+            if (counted) begin
+                rows = rows + 1;
+                open = open - 1;
+                quiet = 0;
+                if (dump != 0) begin
+                    $fdisplay(dump, "%h_%h_%h", was_op, e, in_v);
+                    $fflush(dump);
+                end
+            end
+            if (judged && e !== answer.e) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH edge walk %0d row %0d (edge.exp.tv line %0d, op %0d) field e\n    expected %h  %b\n    got      %h  %b",
-                        walk - 1, row, exp_file.line, op, want.e, want.e[5:0], e, e[5:0]);
+                        was_walk - 1, was_row, was_line, was_op, answer.e, answer.e[5:0], e, e[5:0]);
             end
-            if (in_v !== want.in_v) begin
+            if (judged && in_v !== answer.in_v) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH edge walk %0d row %0d (edge.exp.tv line %0d, op %0d) field in\n    expected %h  %b\n    got      %h  %b",
-                        walk - 1, row, exp_file.line, op, want.in_v, want.in_v, in_v, in_v);
+                        was_walk - 1, was_row, was_line, was_op, answer.in_v, answer.in_v, in_v, in_v);
             end
         end
     endtask
@@ -364,16 +494,37 @@ module edge_check (
         end
     endtask
 
+    // What the last rising edge was told, to be compared later.
+    task enter;
+        begin
+            exp_bits = want;
+            ring[head] = {pending || op == OP_HOLD && walk != 0, pending, op, walk, row, exp_file.line, exp_bits};
+            head = head + 1;
+            entries = entries + 1;
+            if (pending) open = open + 1;
+        end
+    endtask
+
     always @(negedge clk)
         if (reset_left > 0)
             reset_left = reset_left - 1;
         else if (!done) begin
             rst = 1'b0;
-            if (pending) begin
-                rows = rows + 1;
-                if (dump != 0) $fdisplay(dump, "%h_%h_%h", op, e, in_v);
+            quiet = quiet + 1;
+`ifdef GUARDBIT_VALID
+            if (pending) enter;
+            if (out_valid !== 1'b0) begin
+                if (open > 0 && out_valid === 1'b1) compare;
+                else begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= REPORTED)
+                        $display("MISMATCH edge (edge.exp.tv line %0d): out_valid is %b, and %0d rows are awaited", exp_file.line, out_valid, open);
+                end
             end
-            if (pending || op == OP_HOLD && walk != 0) compare;
+`else
+            enter;
+            if (entries > latency) compare;
+`endif
             if (pending && stall_left > 0) begin
                 pending = 1'b0;
                 op = OP_HOLD;
@@ -382,13 +533,20 @@ module edge_check (
                 eb = ~eb;
             end
             if (!pending && stall_left > 0) stall_left = stall_left - 1;
-            else if (exp_file.line < EDGE_EXP_ROWS)
+            else if (exp_file.line < EDGE_EXP_ROWS && open < MOST - 1)
                 apply;
             else begin
-                exp_file.last;
-                cfg_file.last;
+                pending = 1'b0;
                 op = OP_HOLD;
-                done = 1'b1;
+                if (exp_file.line >= EDGE_EXP_ROWS && open == 0) begin
+                    exp_file.last;
+                    cfg_file.last;
+                    done = 1'b1;
+                end
+                else if (quiet > 1000) begin
+                    $display("FAIL edge: out_valid has been low for %0d clocks, and %0d rows are awaited", quiet, open);
+                    $fatal(1, "the device hangs, or rows are missing");
+                end
             end
         end
 endmodule
@@ -419,6 +577,7 @@ module setup_check (
     reg taken;
     integer reset_left;
     integer quiet;                          // clocks since the last transfer
+    integer extras;                         // answers that belong to no row
     integer beat;
     reg [15:0] noise;
 
@@ -484,15 +643,10 @@ module setup_check (
     reg [75:0] o_kept;
     integer o_dump;
 
-    task o_compare;
+    task o_read;
         begin
-            quiet = 0;
-            rows = rows + 1;
-            if (o_dump != 0) $fdisplay(o_dump, "%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h", o_edge0_init, o_edge0_dx, o_edge0_dy, o_edge1_init, o_edge1_dx, o_edge1_dy, o_edge2_init, o_edge2_dx, o_edge2_dy, o_depth_init, o_depth_dx, o_depth_dy, o_zero_area);
-            if (o_file.line >= SETUP_EXP_ROWS) too_much("setup.exp");
-            else begin
-                o_file.next;
-                o_bits = {
+            o_file.next;
+            o_bits = {
                     o_file.nibbles[299:296], o_file.nibbles[291:288], o_file.nibbles[275:272], o_file.nibbles[267:264],
                     o_file.nibbles[251:248], o_file.nibbles[243:240], o_file.nibbles[227:224], o_file.nibbles[219:216],
                     o_file.nibbles[203:200], o_file.nibbles[195:192], o_file.nibbles[179:176], o_file.nibbles[171:168],
@@ -500,91 +654,115 @@ module setup_check (
                     o_file.nibbles[107:104], o_file.nibbles[99:96], o_file.nibbles[83:80], o_file.nibbles[75:72],
                     o_file.nibbles[59:56], o_file.nibbles[51:48], o_file.nibbles[35:32], o_file.nibbles[27:24],
                     o_file.nibbles[11:8]};
-                o_want = o_bits;
-                if (|(o_bits & SETUP_EXP_PADS)) o_file.over_wide;
+            o_want = o_bits;
+            if (|(o_bits & SETUP_EXP_PADS)) o_file.over_wide;
+        end
+    endtask
+
+    task o_judge(input longint unsigned line);
+        begin
             if (o_edge0_init !== o_want.edge0_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge0_init\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge0_init, o_want.edge0_init, o_edge0_init, o_edge0_init);
+                        line, o_want.edge0_init, o_want.edge0_init, o_edge0_init, o_edge0_init);
             end
             if (o_edge0_dx !== o_want.edge0_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge0_dx\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge0_dx, o_want.edge0_dx, o_edge0_dx, o_edge0_dx);
+                        line, o_want.edge0_dx, o_want.edge0_dx, o_edge0_dx, o_edge0_dx);
             end
             if (o_edge0_dy !== o_want.edge0_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge0_dy\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge0_dy, o_want.edge0_dy, o_edge0_dy, o_edge0_dy);
+                        line, o_want.edge0_dy, o_want.edge0_dy, o_edge0_dy, o_edge0_dy);
             end
             if (o_edge1_init !== o_want.edge1_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge1_init\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge1_init, o_want.edge1_init, o_edge1_init, o_edge1_init);
+                        line, o_want.edge1_init, o_want.edge1_init, o_edge1_init, o_edge1_init);
             end
             if (o_edge1_dx !== o_want.edge1_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge1_dx\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge1_dx, o_want.edge1_dx, o_edge1_dx, o_edge1_dx);
+                        line, o_want.edge1_dx, o_want.edge1_dx, o_edge1_dx, o_edge1_dx);
             end
             if (o_edge1_dy !== o_want.edge1_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge1_dy\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge1_dy, o_want.edge1_dy, o_edge1_dy, o_edge1_dy);
+                        line, o_want.edge1_dy, o_want.edge1_dy, o_edge1_dy, o_edge1_dy);
             end
             if (o_edge2_init !== o_want.edge2_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge2_init\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge2_init, o_want.edge2_init, o_edge2_init, o_edge2_init);
+                        line, o_want.edge2_init, o_want.edge2_init, o_edge2_init, o_edge2_init);
             end
             if (o_edge2_dx !== o_want.edge2_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge2_dx\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge2_dx, o_want.edge2_dx, o_edge2_dx, o_edge2_dx);
+                        line, o_want.edge2_dx, o_want.edge2_dx, o_edge2_dx, o_edge2_dx);
             end
             if (o_edge2_dy !== o_want.edge2_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field edge2_dy\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.edge2_dy, o_want.edge2_dy, o_edge2_dy, o_edge2_dy);
+                        line, o_want.edge2_dy, o_want.edge2_dy, o_edge2_dy, o_edge2_dy);
             end
             if (o_depth_init !== o_want.depth_init) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field depth_init\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.depth_init, o_want.depth_init, o_depth_init, o_depth_init);
+                        line, o_want.depth_init, o_want.depth_init, o_depth_init, o_depth_init);
             end
             if (o_depth_dx !== o_want.depth_dx) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field depth_dx\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.depth_dx, o_want.depth_dx, o_depth_dx, o_depth_dx);
+                        line, o_want.depth_dx, o_want.depth_dx, o_depth_dx, o_depth_dx);
             end
             if (o_depth_dy !== o_want.depth_dy) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field depth_dy\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.depth_dy, o_want.depth_dy, o_depth_dy, o_depth_dy);
+                        line, o_want.depth_dy, o_want.depth_dy, o_depth_dy, o_depth_dy);
             end
             if (o_zero_area !== o_want.zero_area) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH setup (setup.exp.tv line %0d) field zero_area\n    expected %h  %b\n    got      %h  %b",
-                        o_file.line, o_want.zero_area, o_want.zero_area, o_zero_area, o_zero_area);
-            end
+                        line, o_want.zero_area, o_want.zero_area, o_zero_area, o_zero_area);
             end
         end
     endtask
 
-    triangle_setup device (
+    task o_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (o_dump != 0) begin
+                $fdisplay(o_dump, "%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h_%h", o_edge0_init, o_edge0_dx, o_edge0_dy, o_edge1_init, o_edge1_dx, o_edge1_dy, o_edge2_init, o_edge2_dx, o_edge2_dy, o_depth_init, o_depth_dx, o_depth_dy, o_zero_area);
+                $fflush(o_dump);
+            end
+            if (o_file.line >= SETUP_EXP_ROWS) too_much("setup.exp");
+            else begin
+                o_read;
+                o_judge(o_file.line);
+            end
+        end
+    endtask
+
+    triangle_setup 
+`ifdef GUARDBIT_PARAMETERS
+        #(.VW(SETUP_CFG_V0_X_WIDTH), .VS(SETUP_CFG_V0_X_SIGNED), .S(SUB_PIXEL_BITS), .SAMPLE_X(SAMPLE_X), .SAMPLE_Y(SAMPLE_Y), .RULE(SHADOW_RULE), .SHIFT(EDGE_SHIFT), .M(SETUP_EXP_EDGE0_INIT_WIDTH), .G(GUARD_BITS), .I(INTEGER_BITS), .F(FRACTION_BITS), .ROUNDING(ROUNDING), .HALF(START_HALF))
+`endif
+        device (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .v0_x(cfg.v0_x),
         .v0_y(cfg.v0_y),
@@ -621,6 +799,7 @@ module setup_check (
         taken = 1'b0;
         reset_left = 3;
         quiet = 0;
+        extras = 0;
         beat = 0;
         noise = 16'hace1;
         cfg = 0;
@@ -635,6 +814,18 @@ module setup_check (
             mismatches = mismatches + 1;
             if (mismatches <= REPORTED)
                 $display("MISMATCH setup (%0s.tv): a row too much, all %0d records are in", stream, cfg_file.line);
+            extra;
+        end
+    endtask
+
+    // A device that never stops answering must not run for ever.
+    task extra;
+        begin
+            extras = extras + 1;
+            if (extras > PATIENCE / 100) begin
+                $display("FAIL setup: %0d rows too much, %0d of %0d records taken", extras, cfg_file.line - 64'(in_valid), SETUP_CFG_ROWS);
+                $fatal(1, "the device answers without end");
+            end
         end
     endtask
 
@@ -697,6 +888,8 @@ endmodule
 // Drives triangle_engine with triangle.cfg.tv and compares what its streams answer. The bench stalls them in
 // patterns that change every 16 records: never, every other clock, at random, in long pauses. Inputs
 // change at the falling edge; what is taken at a rising edge is compared as it stands before it.
+// +anyorder takes the rows of a test in any order, each matched by its key; +fileorder takes them in
+// the order of the files.
 module triangle_check (
     input  wire       clk,
     output reg        done,
@@ -720,8 +913,10 @@ module triangle_check (
     reg taken;
     integer reset_left;
     integer quiet;                          // clocks since the last transfer
+    integer extras;                         // answers that belong to no row
     integer beat;
     reg [15:0] noise;
+    reg any_order;                          // rows of a test are matched by their key
 
     // Signals carry the names of the columns, as in the waves of `guardbit trace`.
     wire [5:0] edge0_init = cfg.edge0_init;
@@ -779,47 +974,108 @@ module triangle_check (
     reg [82:0] span_kept;
     integer span_dump;
 
-    task span_compare;
+    task span_read;
         begin
-            quiet = 0;
-            rows = rows + 1;
-            if (span_dump != 0) $fdisplay(span_dump, "%h_%h_%h_%h", span_test, span_y, span_x_begin, span_x_end);
-            if (span_file.line >= SPAN_EXP_ROWS) too_much("span.exp");
-            else begin
-                span_file.next;
-                span_bits = {
+            span_file.next;
+            span_bits = {
                     span_file.nibbles[211:208], span_file.nibbles[203:200], span_file.nibbles[195:192], span_file.nibbles[187:184],
                     span_file.nibbles[179:176], span_file.nibbles[171:168], span_file.nibbles[163:160], span_file.nibbles[155:152],
                     span_file.nibbles[139:136], span_file.nibbles[131:128], span_file.nibbles[123:120], span_file.nibbles[115:112],
                     span_file.nibbles[107:104], span_file.nibbles[91:88], span_file.nibbles[83:80], span_file.nibbles[75:72],
                     span_file.nibbles[67:64], span_file.nibbles[59:56], span_file.nibbles[43:40], span_file.nibbles[35:32],
                     span_file.nibbles[27:24], span_file.nibbles[19:16], span_file.nibbles[11:8]};
-                span_want = span_bits;
-                if (|(span_bits & SPAN_EXP_PADS)) span_file.over_wide;
+            span_want = span_bits;
+            if (|(span_bits & SPAN_EXP_PADS)) span_file.over_wide;
+        end
+    endtask
+
+    task span_judge(input longint unsigned line);
+        begin
             if (span_test !== span_want.test) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (span.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
-                        span_file.line, span_want.test, span_want.test, span_test, span_test);
+                        line, span_want.test, span_want.test, span_test, span_test);
             end
             if (span_y !== span_want.y) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (span.exp.tv line %0d) field y\n    expected %h  %b\n    got      %h  %b",
-                        span_file.line, span_want.y, span_want.y, span_y, span_y);
+                        line, span_want.y, span_want.y, span_y, span_y);
             end
             if (span_x_begin !== span_want.x_begin) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (span.exp.tv line %0d) field x_begin\n    expected %h  %b\n    got      %h  %b",
-                        span_file.line, span_want.x_begin, span_want.x_begin, span_x_begin, span_x_begin);
+                        line, span_want.x_begin, span_want.x_begin, span_x_begin, span_x_begin);
             end
             if (span_x_end !== span_want.x_end) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (span.exp.tv line %0d) field x_end\n    expected %h  %b\n    got      %h  %b",
-                        span_file.line, span_want.x_end, span_want.x_end, span_x_end, span_x_end);
+                        line, span_want.x_end, span_want.x_end, span_x_end, span_x_end);
             end
+        end
+    endtask
+
+    // Rows of tests that have begun and that no answer has matched yet, each with its line.
+    reg [63+SPAN_EXP_BITS:0] span_open [$];
+    reg span_ahead;                      // span_want is of a later test, and not among them
+    reg span_more;
+    reg [SPAN_EXP_BITS-1:0] span_picked;
+    longint unsigned span_line;
+    integer span_at;
+
+    // The row of this answer's key, wherever it stands among those of its test.
+    task span_find;
+        begin
+            span_more = 1'b1;
+            while (span_more === 1'b1) begin
+                if (!span_ahead && span_file.line < SPAN_EXP_ROWS) begin
+                    span_read;
+                    span_ahead = 1'b1;
+                end
+                span_want = span_bits;
+                span_more = span_ahead && span_want.test <= span_test && span_test <= cfg.test;
+                if (span_more === 1'b1) begin
+                    span_open.push_back({span_file.line, span_bits});
+                    span_ahead = 1'b0;
+                end
+            end
+            span_more = 1'b1;
+            span_at = 0;
+            while (span_more && span_at < span_open.size()) begin
+                {span_line, span_picked} = span_open[span_at];
+                span_want = span_picked;
+                if (span_test === span_want.test && span_y === span_want.y && span_x_begin === span_want.x_begin && span_x_end === span_want.x_end) span_more = 1'b0;
+                else span_at = span_at + 1;
+            end
+            if (span_more) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (span.exp.tv): no row is left with test %0d, y %0d, x_begin %0d, x_end %0d", span_test, span_y, span_x_begin, span_x_end);
+                extra;
+            end
+            else begin
+                span_judge(span_line);
+                span_open.delete(span_at);
+            end
+        end
+    endtask
+
+    task span_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (span_dump != 0) begin
+                $fdisplay(span_dump, "%h_%h_%h_%h", span_test, span_y, span_x_begin, span_x_end);
+                $fflush(span_dump);
+            end
+            if (any_order) span_find;
+            else if (span_file.line >= SPAN_EXP_ROWS) too_much("span.exp");
+            else begin
+                span_read;
+                span_judge(span_file.line);
             end
         end
     endtask
@@ -843,46 +1099,107 @@ module triangle_check (
     reg [68:0] sample_kept;
     integer sample_dump;
 
-    task sample_compare;
+    task sample_read;
         begin
-            quiet = 0;
-            rows = rows + 1;
-            if (sample_dump != 0) $fdisplay(sample_dump, "%h_%h_%h_%h", sample_test, sample_y, sample_x, sample_depth);
-            if (sample_file.line >= DEPTH_EXP_ROWS) too_much("depth.exp");
-            else begin
-                sample_file.next;
-                sample_bits = {
+            sample_file.next;
+            sample_bits = {
                     sample_file.nibbles[179:176], sample_file.nibbles[171:168], sample_file.nibbles[163:160], sample_file.nibbles[155:152],
                     sample_file.nibbles[147:144], sample_file.nibbles[139:136], sample_file.nibbles[131:128], sample_file.nibbles[123:120],
                     sample_file.nibbles[107:104], sample_file.nibbles[99:96], sample_file.nibbles[91:88], sample_file.nibbles[83:80],
                     sample_file.nibbles[75:72], sample_file.nibbles[59:56], sample_file.nibbles[51:48], sample_file.nibbles[43:40],
                     sample_file.nibbles[35:32], sample_file.nibbles[27:24], sample_file.nibbles[11:8]};
-                sample_want = sample_bits;
-                if (|(sample_bits & DEPTH_EXP_PADS)) sample_file.over_wide;
+            sample_want = sample_bits;
+            if (|(sample_bits & DEPTH_EXP_PADS)) sample_file.over_wide;
+        end
+    endtask
+
+    task sample_judge(input longint unsigned line);
+        begin
             if (sample_test !== sample_want.test) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (depth.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
-                        sample_file.line, sample_want.test, sample_want.test, sample_test, sample_test);
+                        line, sample_want.test, sample_want.test, sample_test, sample_test);
             end
             if (sample_y !== sample_want.y) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (depth.exp.tv line %0d) field y\n    expected %h  %b\n    got      %h  %b",
-                        sample_file.line, sample_want.y, sample_want.y, sample_y, sample_y);
+                        line, sample_want.y, sample_want.y, sample_y, sample_y);
             end
             if (sample_x !== sample_want.x) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (depth.exp.tv line %0d) field x\n    expected %h  %b\n    got      %h  %b",
-                        sample_file.line, sample_want.x, sample_want.x, sample_x, sample_x);
+                        line, sample_want.x, sample_want.x, sample_x, sample_x);
             end
             if (sample_depth !== sample_want.depth) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (depth.exp.tv line %0d) field depth\n    expected %h  %b\n    got      %h  %b",
-                        sample_file.line, sample_want.depth, sample_want.depth, sample_depth, sample_depth);
+                        line, sample_want.depth, sample_want.depth, sample_depth, sample_depth);
             end
+        end
+    endtask
+
+    // Rows of tests that have begun and that no answer has matched yet, each with its line.
+    reg [63+DEPTH_EXP_BITS:0] sample_open [$];
+    reg sample_ahead;                      // sample_want is of a later test, and not among them
+    reg sample_more;
+    reg [DEPTH_EXP_BITS-1:0] sample_picked;
+    longint unsigned sample_line;
+    integer sample_at;
+
+    // The row of this answer's key, wherever it stands among those of its test.
+    task sample_find;
+        begin
+            sample_more = 1'b1;
+            while (sample_more === 1'b1) begin
+                if (!sample_ahead && sample_file.line < DEPTH_EXP_ROWS) begin
+                    sample_read;
+                    sample_ahead = 1'b1;
+                end
+                sample_want = sample_bits;
+                sample_more = sample_ahead && sample_want.test <= sample_test && sample_test <= cfg.test;
+                if (sample_more === 1'b1) begin
+                    sample_open.push_back({sample_file.line, sample_bits});
+                    sample_ahead = 1'b0;
+                end
+            end
+            sample_more = 1'b1;
+            sample_at = 0;
+            while (sample_more && sample_at < sample_open.size()) begin
+                {sample_line, sample_picked} = sample_open[sample_at];
+                sample_want = sample_picked;
+                if (sample_test === sample_want.test && sample_y === sample_want.y && sample_x === sample_want.x) sample_more = 1'b0;
+                else sample_at = sample_at + 1;
+            end
+            if (sample_more) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (depth.exp.tv): no row is left with test %0d, y %0d, x %0d", sample_test, sample_y, sample_x);
+                extra;
+            end
+            else begin
+                sample_judge(sample_line);
+                sample_open.delete(sample_at);
+            end
+        end
+    endtask
+
+    task sample_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (sample_dump != 0) begin
+                $fdisplay(sample_dump, "%h_%h_%h_%h", sample_test, sample_y, sample_x, sample_depth);
+                $fflush(sample_dump);
+            end
+            if (any_order) sample_find;
+            else if (sample_file.line >= DEPTH_EXP_ROWS) too_much("depth.exp");
+            else begin
+                sample_read;
+                sample_judge(sample_file.line);
             end
         end
     endtask
@@ -906,15 +1223,10 @@ module triangle_check (
     reg [96:0] triangle_kept;
     integer triangle_dump;
 
-    task triangle_compare;
+    task triangle_read;
         begin
-            quiet = 0;
-            rows = rows + 1;
-            if (triangle_dump != 0) $fdisplay(triangle_dump, "%h_%h_%h_%h_%h_%h_%h_%h_000000000000000000000000ffffffffffffffffffffffffffffffff0", triangle_test, triangle_spans, triangle_samples, 32'h0, 32'h0, 32'h0, 32'h0, triangle_zero_area);
-            if (triangle_file.line >= TRIANGLE_EXP_ROWS) too_much("triangle.exp");
-            else begin
-                triangle_file.next;
-                triangle_bits = {
+            triangle_file.next;
+            triangle_bits = {
                     triangle_file.nibbles[515:512], triangle_file.nibbles[507:504], triangle_file.nibbles[499:496], triangle_file.nibbles[491:488],
                     triangle_file.nibbles[483:480], triangle_file.nibbles[475:472], triangle_file.nibbles[467:464], triangle_file.nibbles[459:456],
                     triangle_file.nibbles[443:440], triangle_file.nibbles[435:432], triangle_file.nibbles[427:424], triangle_file.nibbles[419:416],
@@ -930,37 +1242,107 @@ module triangle_check (
                     triangle_file.nibbles[83:80], triangle_file.nibbles[75:72], triangle_file.nibbles[67:64], triangle_file.nibbles[59:56],
                     triangle_file.nibbles[51:48], triangle_file.nibbles[43:40], triangle_file.nibbles[35:32], triangle_file.nibbles[27:24],
                     triangle_file.nibbles[11:8]};
-                triangle_want = triangle_bits;
-                if (|(triangle_bits & TRIANGLE_EXP_PADS)) triangle_file.over_wide;
+            triangle_want = triangle_bits;
+            if (|(triangle_bits & TRIANGLE_EXP_PADS)) triangle_file.over_wide;
+        end
+    endtask
+
+    task triangle_judge(input longint unsigned line);
+        begin
             if (triangle_test !== triangle_want.test) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (triangle.exp.tv line %0d) field test\n    expected %h  %b\n    got      %h  %b",
-                        triangle_file.line, triangle_want.test, triangle_want.test, triangle_test, triangle_test);
+                        line, triangle_want.test, triangle_want.test, triangle_test, triangle_test);
             end
             if (triangle_spans !== triangle_want.spans) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (triangle.exp.tv line %0d) field spans\n    expected %h  %b\n    got      %h  %b",
-                        triangle_file.line, triangle_want.spans, triangle_want.spans, triangle_spans, triangle_spans);
+                        line, triangle_want.spans, triangle_want.spans, triangle_spans, triangle_spans);
             end
             if (triangle_samples !== triangle_want.samples) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (triangle.exp.tv line %0d) field samples\n    expected %h  %b\n    got      %h  %b",
-                        triangle_file.line, triangle_want.samples, triangle_want.samples, triangle_samples, triangle_samples);
+                        line, triangle_want.samples, triangle_want.samples, triangle_samples, triangle_samples);
             end
             if (triangle_zero_area !== triangle_want.zero_area) begin
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display("MISMATCH triangle (triangle.exp.tv line %0d) field zero_area\n    expected %h  %b\n    got      %h  %b",
-                        triangle_file.line, triangle_want.zero_area, triangle_want.zero_area, triangle_zero_area, triangle_zero_area);
-            end
+                        line, triangle_want.zero_area, triangle_want.zero_area, triangle_zero_area, triangle_zero_area);
             end
         end
     endtask
 
-    triangle_engine device (
+    // Rows of tests that have begun and that no answer has matched yet, each with its line.
+    reg [63+TRIANGLE_EXP_BITS:0] triangle_open [$];
+    reg triangle_ahead;                      // triangle_want is of a later test, and not among them
+    reg triangle_more;
+    reg [TRIANGLE_EXP_BITS-1:0] triangle_picked;
+    longint unsigned triangle_line;
+    integer triangle_at;
+
+    // The row of this answer's key, wherever it stands among those of its test.
+    task triangle_find;
+        begin
+            triangle_more = 1'b1;
+            while (triangle_more === 1'b1) begin
+                if (!triangle_ahead && triangle_file.line < TRIANGLE_EXP_ROWS) begin
+                    triangle_read;
+                    triangle_ahead = 1'b1;
+                end
+                triangle_want = triangle_bits;
+                triangle_more = triangle_ahead && triangle_want.test <= triangle_test && triangle_test <= cfg.test;
+                if (triangle_more === 1'b1) begin
+                    triangle_open.push_back({triangle_file.line, triangle_bits});
+                    triangle_ahead = 1'b0;
+                end
+            end
+            triangle_more = 1'b1;
+            triangle_at = 0;
+            while (triangle_more && triangle_at < triangle_open.size()) begin
+                {triangle_line, triangle_picked} = triangle_open[triangle_at];
+                triangle_want = triangle_picked;
+                if (triangle_test === triangle_want.test) triangle_more = 1'b0;
+                else triangle_at = triangle_at + 1;
+            end
+            if (triangle_more) begin
+                mismatches = mismatches + 1;
+                if (mismatches <= REPORTED)
+                    $display("MISMATCH triangle (triangle.exp.tv): no row is left with test %0d", triangle_test);
+                extra;
+            end
+            else begin
+                triangle_judge(triangle_line);
+                triangle_open.delete(triangle_at);
+            end
+        end
+    endtask
+
+    task triangle_compare;
+        begin
+            quiet = 0;
+            rows = rows + 1;
+            if (triangle_dump != 0) begin
+                $fdisplay(triangle_dump, "%h_%h_%h_%h_%h_%h_%h_%h_000000000000000000000000ffffffffffffffffffffffffffffffff0", triangle_test, triangle_spans, triangle_samples, 32'h0, 32'h0, 32'h0, 32'h0, triangle_zero_area);
+                $fflush(triangle_dump);
+            end
+            if (any_order) triangle_find;
+            else if (triangle_file.line >= TRIANGLE_EXP_ROWS) too_much("triangle.exp");
+            else begin
+                triangle_read;
+                triangle_judge(triangle_file.line);
+            end
+        end
+    endtask
+
+    triangle_engine 
+`ifdef GUARDBIT_PARAMETERS
+        #(.M(TRIANGLE_CFG_EDGE0_INIT_WIDTH), .G(GUARD_BITS), .I(INTEGER_BITS), .F(FRACTION_BITS), .MODE(CLAMP_MODE), .C(TRIANGLE_CFG_BOX_X_BEGIN_WIDTH))
+`endif
+        device (
         .clk(clk), .rst(rst), .in_valid(in_valid), .in_ready(in_ready),
         .test(cfg.test),
         .edge0_init(cfg.edge0_init),
@@ -1009,17 +1391,24 @@ module triangle_check (
         taken = 1'b0;
         reset_left = 3;
         quiet = 0;
+        extras = 0;
         beat = 0;
         noise = 16'hace1;
         cfg = 0;
+        any_order = 1'b0;
+        if ($test$plusargs("anyorder")) any_order = 1'b1;
+        if ($test$plusargs("fileorder")) any_order = 1'b0;
+        span_ahead = 1'b0;
         span_ready = 1'b0;
         span_held = 1'b0;
         span_dump = 0;
         if ($test$plusargs("dump")) span_dump = $fopen("span.exp.dut.tv", "w");
+        sample_ahead = 1'b0;
         sample_ready = 1'b0;
         sample_held = 1'b0;
         sample_dump = 0;
         if ($test$plusargs("dump")) sample_dump = $fopen("depth.exp.dut.tv", "w");
+        triangle_ahead = 1'b0;
         triangle_ready = 1'b0;
         triangle_held = 1'b0;
         triangle_dump = 0;
@@ -1031,6 +1420,18 @@ module triangle_check (
             mismatches = mismatches + 1;
             if (mismatches <= REPORTED)
                 $display("MISMATCH triangle (%0s.tv): a row too much, all %0d records are in", stream, cfg_file.line);
+            extra;
+        end
+    endtask
+
+    // A device that never stops answering must not run for ever.
+    task extra;
+        begin
+            extras = extras + 1;
+            if (extras > PATIENCE / 100) begin
+                $display("FAIL triangle: %0d rows too much, %0d of %0d records taken", extras, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
+                $fatal(1, "the device answers without end");
+            end
         end
     endtask
 
@@ -1103,7 +1504,7 @@ module triangle_check (
                 in_valid = 1'b1;
             end
             // Some clocks more show what comes too much.
-            if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && span_file.line >= SPAN_EXP_ROWS && sample_file.line >= DEPTH_EXP_ROWS && triangle_file.line >= TRIANGLE_EXP_ROWS && !(span_valid || sample_valid || triangle_valid) && quiet > 100) begin
+            if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && span_file.line >= SPAN_EXP_ROWS && !span_ahead && span_open.size() == 0 && sample_file.line >= DEPTH_EXP_ROWS && !sample_ahead && sample_open.size() == 0 && triangle_file.line >= TRIANGLE_EXP_ROWS && !triangle_ahead && triangle_open.size() == 0 && !(span_valid || sample_valid || triangle_valid) && quiet > 100) begin
                 cfg_file.last;
                 span_file.last;
                 sample_file.last;
@@ -1111,6 +1512,18 @@ module triangle_check (
                 done = 1'b1;
             end
             else if (quiet > PATIENCE) begin
+                if (span_open.size() > 0) begin
+                    {span_line, span_picked} = span_open[0];
+                    $display("MISMATCH triangle (span.exp.tv line %0d): this row and %0d others of the tests so far are missing", span_line, span_open.size() - 1);
+                end
+                if (sample_open.size() > 0) begin
+                    {sample_line, sample_picked} = sample_open[0];
+                    $display("MISMATCH triangle (depth.exp.tv line %0d): this row and %0d others of the tests so far are missing", sample_line, sample_open.size() - 1);
+                end
+                if (triangle_open.size() > 0) begin
+                    {triangle_line, triangle_picked} = triangle_open[0];
+                    $display("MISMATCH triangle (triangle.exp.tv line %0d): this row and %0d others of the tests so far are missing", triangle_line, triangle_open.size() - 1);
+                end
                 $display("FAIL triangle: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
                 $fatal(1, "the device hangs, or rows are missing");
             end

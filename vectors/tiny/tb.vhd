@@ -1,7 +1,10 @@
--- guardbit vector set tiny, model version 1: VHDL-2008 testbench, generated.
+-- guardbit vector set tiny, model version 2: VHDL-2008 testbench, generated.
 --
 -- Drives the devices of dut.vhd (replace them with yours, same ports) with the set beside this
--- file and compares every row. Run from inside the set folder:
+-- file and compares every row.
+-- Not checked, setup: the set has no such device in VHDL; tb.sv checks it.
+-- Not checked, triangle: the set has no such device in VHDL; tb.sv checks it.
+-- Run from inside the set folder:
 --     $ ghdl -a --std=08 pkg.vhd dut.vhd tb.vhd && ghdl -e --std=08 tb && ghdl -r --std=08 tb
 -- It ends with a PASS line, or with a FAIL line and a non-zero exit status. More, after tb: -gDUMP=true
 -- writes what the devices answer to *.exp.dut.tv, for `guardbit verify --dut`; --vcd=FILE writes waves.
@@ -397,10 +400,12 @@ begin
             clk <= not clk;
             wait for 1 ns;
         end loop;
+        say("NOT CHECKED setup: the set has no such device in VHDL; tb.sv checks it");
+        say("NOT CHECKED triangle: the set has no such device in VHDL; tb.sv checks it");
         if dda_mismatches /= 0 or edge_mismatches /= 0 then
-            fail("dda rows=" & decimal(dda_rows) & " edge rows=" & decimal(edge_rows) & " mismatches=" & decimal(dda_mismatches + edge_mismatches));
+            fail("dda rows=" & decimal(dda_rows) & " edge rows=" & decimal(edge_rows) & " mismatches=" & decimal(dda_mismatches + edge_mismatches) & " not checked: setup triangle");
         end if;
-        say("PASS dda rows=" & decimal(dda_rows) & " edge rows=" & decimal(edge_rows));
+        say("PASS dda rows=" & decimal(dda_rows) & " edge rows=" & decimal(edge_rows) & " not checked: setup triangle");
         std.env.finish(0);
         wait;
     end process run;

@@ -1,4 +1,4 @@
-# guardbit vector set tiny, model version 1: cocotb scoreboard, generated.
+# guardbit vector set tiny, model version 2: cocotb scoreboard, generated.
 """Drives the devices of dut.sv with the set beside this file and compares every row.
 
 Run from inside the set folder:

@@ -26,6 +26,38 @@ pub enum Anchor {
     LeftmostSorted,
 }
 
+/// How the vertices are sorted by y, where two have the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum VertexSort {
+    /// They stay as they came.
+    #[default]
+    Stable,
+    /// The first order of a fixed list in which y does not fall: 0 2 1, 1 0 2, 1 2 0, 2 0 1, 2 1 0, 0 1 2.
+    FirstMatch,
+}
+
+impl VertexSort {
+    /// The order of a sort by comparators, from top to bottom.
+    fn order(self, y: [i64; 3]) -> [usize; 3] {
+        let orders = match self {
+            Self::Stable => [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]],
+            Self::FirstMatch => [[0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0], [0, 1, 2]],
+        };
+        let fits = |[a, b, c]: &[usize; 3]| y[*a] <= y[*b] && y[*b] <= y[*c];
+        orders
+            .into_iter()
+            .find(fits)
+            .unwrap_or_else(|| unreachable!("all orders of three are tried"))
+    }
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+const fn is_stable(sort: &VertexSort) -> bool {
+    matches!(sort, VertexSort::Stable)
+}
+
 /// Which half of a triangle is drawn first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "verification", derive(JsonSchema))]
@@ -55,6 +87,9 @@ pub struct Largest {
 pub struct AnchoredConfig {
     /// Which vertex the planes go through.
     pub anchor: Anchor,
+    /// How vertices of the same y are sorted.
+    #[serde(default, skip_serializing_if = "is_stable")]
+    pub sort: VertexSort,
     /// Which half is drawn first.
     pub halves: HalfOrder,
     /// How slopes are rounded.
@@ -145,8 +180,7 @@ const fn leftmost(v: [[i64; 2]; 3]) -> usize {
 impl Anchored {
     /// Vertices from top to bottom, and which of them is the anchor.
     fn sorted(&self, v: [[i64; 2]; 3]) -> ([Vertex; 3], usize) {
-        let mut sorted = [(v[0], 0), (v[1], 1), (v[2], 2)];
-        sorted.sort_by_key(|(at, _)| at[1]);
+        let sorted = self.config.sort.order(v.map(|at| at[1])).map(|n| (v[n], n));
         let anchor = match self.config.anchor {
             Anchor::LeftmostGiven => {
                 let given = leftmost(v);

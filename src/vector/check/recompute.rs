@@ -10,7 +10,7 @@ use crate::vector::emit::{Output, emit, files};
 use crate::vector::manifest::{self, FileEntry, Manifest};
 use crate::vector::plan::Shard;
 use crate::vector::table::RowFormat;
-use crate::vector::write::{account, companions, compress, file_name, scene_text};
+use crate::vector::write::{account, companions, compress, file_name, scene_text, unchecked};
 use std::fs::File;
 use std::io::{BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
@@ -130,6 +130,7 @@ pub(super) fn recompute(
     let vector_files: Vec<FileEntry> =
         set.manifest.files.iter().filter(|file| !file.columns.is_empty()).cloned().collect();
     let (set_name, profile) = (&set.manifest.set, &set.manifest.profile);
+    made.unchecked = unchecked(set_name, profile, &vector_files, format, zstd);
     for (name, text) in companions(set_name, profile, &source.scene, &vector_files, format, zstd) {
         made.files.push(as_listed(set, name.clone(), text.lines().count() as u64));
         if wanted(&name) {

@@ -1,14 +1,19 @@
-//! Rows of a dump: hexadecimal columns, with the latitude that simulators need.
+//! Rows of a dump: hexadecimal columns, with the latitude that simulators need. Spec clause `N-13`.
+
+mod form;
+mod golden;
+mod text;
 
 use crate::format::Column;
 use crate::vector::table::unpack;
+use form::Form;
+use golden::Shape;
 use std::collections::HashMap;
-use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
+use text::Text;
 
 /// The longest line read.
-const LONGEST: u64 = 1 << 16;
+const LONGEST: usize = 1 << 16;
 
 /// A dump that cannot be read as rows of its file.
 #[derive(Debug, thiserror::Error)]
@@ -54,6 +59,10 @@ pub struct Dump {
     lines: Vec<(usize, u64)>,
     /// The line that ends in the middle of a row, at the end of the dump.
     cut: Option<u64>,
+    /// How the rows are written, once there is one.
+    form: Option<Form>,
+    /// What was assumed to read it.
+    assumed: Vec<String>,
 }
 
 /// Bits of a row that say nothing, packed as the row is.
@@ -66,54 +75,160 @@ struct Odd {
 }
 
 impl Dump {
-    /// Reads a dump of rows with these columns; blank lines and `//` comments are passed over, CRLF is
-    /// accepted.
+    /// Reads a dump of rows with these columns. What is not the golden form is told from the first line: memory
+    /// images, blanks between columns, CSV; UTF-16, a byte order mark and CRLF are accepted, blank lines and
+    /// `//` comments are passed over.
     ///
     /// # Errors
     /// [`DumpError`] with the line.
     pub fn read(path: &Path, columns: &[Column]) -> Result<Self, DumpError> {
+        Self::read_up_to(path, columns, usize::MAX)
+    }
+
+    /// The same, stopping when there are `most` rows.
+    ///
+    /// # Errors
+    /// [`DumpError`] with the line.
+    pub(super) fn read_up_to(
+        path: &Path,
+        columns: &[Column],
+        most: usize,
+    ) -> Result<Self, DumpError> {
         let io = |source| DumpError::Io { path: path.display().to_string(), source };
-        let mut input = BufReader::with_capacity(1 << 18, File::open(path).map_err(io)?);
-        let stride = columns.iter().map(Column::bytes).sum();
-        let (known, odd, lines) = (Vec::new(), HashMap::new(), Vec::new());
-        let mut dump = Self { columns: columns.to_vec(), stride, known, odd, lines, cut: None };
-        let (mut line, mut buffer) = (0, Vec::new());
-        loop {
-            buffer.clear();
-            let read = (&mut input).take(LONGEST).read_until(b'\n', &mut buffer).map_err(io)?;
-            if read == 0 {
-                return Ok(dump);
+        let (mut text, length) = Text::open(path).map_err(io)?;
+        let mut shape = Shape::new(columns);
+        let mut dump = Self::new(columns);
+        dump.assumed.extend(text.assumed.map(str::to_owned));
+        // Rows of the golden form take no more than their share of the file.
+        let rows = usize::try_from(length).unwrap_or(0) / shape.length().max(1);
+        dump.known.reserve(rows.min(most) * dump.stride);
+        let mut line = 0;
+        while dump.rows() < most {
+            if matches!(dump.form, None | Some(Form::Joined)) {
+                let before = dump.rows();
+                let count = shape.rows(text.held(), &mut dump.known);
+                if count > 0 {
+                    dump.follows(before, line + 1);
+                    dump.form = Some(Form::Joined);
+                    line += count as u64;
+                    text.take(count * shape.length());
+                    continue;
+                }
+            }
+            let length = text.line(LONGEST).map_err(io)?;
+            if length == 0 {
+                break;
             }
             line += 1;
-            let fault = |message: String| DumpError::Line {
+            let taken = dump.line_of(text.held(), length, line);
+            if taken.is_ok() {
+                shape.set_end(&text.held()[..length]);
+            }
+            text.take(length);
+            taken.map_err(|message| DumpError::Line {
                 path: path.display().to_string(),
                 line,
                 message,
-            };
-            if read as u64 == LONGEST {
-                return Err(fault(format!(
-                    "the line is longer than {LONGEST} bytes, so this is not a dump of this exp file"
-                )));
-            }
-            let text = std::str::from_utf8(&buffer)
-                .map_err(|_| fault("the line is not UTF-8 text".to_owned()))?;
-            let text = text.split_once("//").map_or(text, |(row, _)| row).trim();
-            if text.is_empty() {
-                continue;
-            }
-            let rows = dump.rows();
-            match dump.push(text) {
-                Ok(()) => {
-                    let follows = rows > 0 && dump.line(rows - 1) + 1 == line;
-                    dump.lines.extend((!follows).then_some((rows, line)));
-                }
-                Err(_) if !buffer.ends_with(b"\n") && is_beginning(text, columns) => {
-                    dump.cut = Some(line);
-                    return Ok(dump);
-                }
-                Err(message) => return Err(fault(message)),
-            }
+            })?;
         }
+        dump.known.truncate(most.saturating_mul(dump.stride));
+        Ok(dump)
+    }
+
+    fn new(columns: &[Column]) -> Self {
+        Self {
+            columns: columns.to_vec(),
+            stride: columns.iter().map(Column::bytes).sum(),
+            known: Vec::new(),
+            odd: HashMap::new(),
+            lines: Vec::new(),
+            cut: None,
+            form: None,
+            assumed: Vec::new(),
+        }
+    }
+
+    /// Notes the line of a row that has just been read.
+    fn follows(&mut self, row: usize, line: u64) {
+        if row == 0 || self.line(row - 1) + 1 != line {
+            self.lines.push((row, line));
+        }
+    }
+
+    /// Takes the line at the beginning of a text.
+    fn line_of(&mut self, held: &[u8], length: usize, line: u64) -> Result<(), String> {
+        if length == LONGEST {
+            return Err(format!(
+                "the line is longer than {LONGEST} bytes, so this is not a dump of this exp file"
+            ));
+        }
+        let text = std::str::from_utf8(&held[..length])
+            .map_err(|_| "the line has characters that no row has".to_owned())?;
+        let ends = text.ends_with('\n');
+        let text = text.split_once("//").map_or(text, |(row, _)| row).trim();
+        if text.is_empty() {
+            return Ok(());
+        }
+        if let Some(address) = text.strip_prefix('@') {
+            return self.address(address);
+        }
+        let columns = std::mem::take(&mut self.columns);
+        let taken = self.take_row(text, &columns, line, ends);
+        self.columns = columns;
+        taken
+    }
+
+    /// Takes a row, or the header before it; `ends` says whether a line feed follows.
+    fn take_row(
+        &mut self,
+        text: &str,
+        columns: &[Column],
+        line: u64,
+        ends: bool,
+    ) -> Result<(), String> {
+        let form = if let Some(form) = self.form.take() {
+            form
+        } else {
+            let (form, is_header, said) = Form::of(text, columns)?;
+            self.assumed.extend(said);
+            if is_header {
+                self.form = Some(form);
+                return Ok(());
+            }
+            form
+        };
+        let row = self.rows();
+        let pushed = form.words(text, columns).and_then(|(words, mask)| {
+            self.push(&words, mask, columns)?;
+            self.follows(row, line);
+            Ok(())
+        });
+        let cut = !ends && pushed.is_err() && form.could_begin(text, columns);
+        self.form = Some(form);
+        if cut {
+            self.cut = Some(line);
+            return Ok(());
+        }
+        pushed
+    }
+
+    /// Takes the address of a memory image, which has to be that of the next row.
+    fn address(&mut self, text: &str) -> Result<(), String> {
+        let address = usize::from_str_radix(text.trim(), 16)
+            .map_err(|_| format!("@{text}: an address is hexadecimal"))?;
+        let rows = self.rows();
+        if address != rows {
+            return Err(format!(
+                "@{text}: the memory image goes on at row {address}, but {rows} rows are before it; write \
+                 every row, from 0"
+            ));
+        }
+        Ok(())
+    }
+
+    /// What was assumed to read it: the encoding and the form, where they are not the golden ones.
+    pub fn assumed(&self) -> &[String] {
+        &self.assumed
     }
 
     /// Rows.
@@ -160,104 +275,43 @@ impl Dump {
             .all(|((known, wanted), (unknown, ignored))| (known ^ wanted | unknown) & !ignored == 0)
     }
 
-    /// Appends the row of a text.
-    fn push(&mut self, text: &str) -> Result<(), String> {
-        let start = self.known.len();
-        let pushed = self.parse(text);
-        if pushed.is_err() {
-            self.known.truncate(start);
-        }
-        pushed
+    /// Whether the rows of this dump are the first ones of another, known to the last bit.
+    pub(super) fn starts_alike(&self, other: &Self) -> bool {
+        self.odd.is_empty() && self.rows() > 0 && other.known.starts_with(&self.known)
     }
 
-    fn parse(&mut self, text: &str) -> Result<(), String> {
-        let row = self.rows();
+    /// Appends a row.
+    fn push(
+        &mut self,
+        words: &[form::Word],
+        mask: Option<&str>,
+        columns: &[Column],
+    ) -> Result<(), String> {
         let mut odd = Odd::default();
-        let (mut fields, columns) = (text.split('_'), &self.columns);
-        for column in columns {
-            let field = fields.next().ok_or_else(|| {
-                let found = text.split('_').count();
-                format!("the row has {found} columns, but {} are needed: {text:?}", columns.len())
-            })?;
-            let (word, unknown) = hexadecimal(field, &column.name, column.digits())?;
-            let mask = u128::MAX >> (128 - column.width);
-            if word & !mask != 0 {
-                let (name, width) = (&column.name, column.width);
-                return Err(format!("column {name}: {field} has more than {width} bits"));
-            }
-            self.known.extend_from_slice(&word.to_be_bytes()[16 - column.bytes()..]);
-            odd.unknown.extend_from_slice(&(unknown & mask).to_be_bytes()[16 - column.bytes()..]);
-        }
-        if let Some(mask) = fields.next() {
-            // A don't-care mask: one digit for each digit of the row.
-            let digits: usize = columns.iter().map(Column::digits).sum();
-            if mask.len() != digits || fields.next().is_some() {
-                return Err(format!(
-                    "the row has more than {} columns, but the last column is not a don't-care mask of {digits} digits: {text:?}",
-                    columns.len()
-                ));
-            }
-            let mut rest = mask;
-            for column in columns {
+        let mut rest = mask.unwrap_or("");
+        for ((_, unknown), column) in words.iter().zip(columns) {
+            let from = 16 - column.bytes();
+            odd.unknown.extend_from_slice(&unknown.to_be_bytes()[from..]);
+            let ignored = if mask.is_some() {
                 let (mine, later) =
                     rest.split_at_checked(column.digits()).ok_or("mask is not ASCII")?;
-                let (mask, unknown) = hexadecimal(mine, "mask", column.digits())?;
+                rest = later;
+                let (ignored, unknown) = form::digits(mine, "mask")?;
                 if unknown != 0 {
                     return Err(format!("the don't-care mask has unknown digits: {mine:?}"));
                 }
-                odd.ignored.extend_from_slice(&mask.to_be_bytes()[16 - column.bytes()..]);
-                rest = later;
-            }
-        } else {
-            odd.ignored = vec![0; self.stride];
+                ignored
+            } else {
+                0
+            };
+            odd.ignored.extend_from_slice(&ignored.to_be_bytes()[from..]);
         }
         if odd.unknown.iter().chain(&odd.ignored).any(|byte| *byte != 0) {
-            self.odd.insert(row, odd);
+            self.odd.insert(self.rows(), odd);
+        }
+        for ((word, _), column) in words.iter().zip(columns) {
+            self.known.extend_from_slice(&word.to_be_bytes()[16 - column.bytes()..]);
         }
         Ok(())
     }
-}
-
-/// Whether a text could be the beginning of a row.
-fn is_beginning(text: &str, columns: &[Column]) -> bool {
-    let mut rest = text;
-    for column in columns {
-        let digits = column.digits().min(rest.len());
-        let (mine, later) = rest.split_at_checked(digits).unwrap_or((rest, ""));
-        if !mine.chars().all(|c| c.is_ascii_hexdigit() || "xXzZ".contains(c)) {
-            return false;
-        }
-        match later.strip_prefix('_') {
-            Some(later) => rest = later,
-            None => return later.is_empty(),
-        }
-    }
-    false
-}
-
-/// A fixed number of hexadecimal digits; X and Z are unknown.
-fn hexadecimal(field: &str, column: &str, digits: usize) -> Result<(u128, u128), String> {
-    if field.len() != digits {
-        return Err(format!(
-            "column {column}: {field:?} has {} digits, but {digits} are needed",
-            field.len()
-        ));
-    }
-    let (mut word, mut unknown) = (0, 0);
-    for character in field.chars() {
-        let (digit, blank) = match character {
-            'x' | 'X' | 'z' | 'Z' => (0, 15),
-            _ => match character.to_digit(16) {
-                Some(digit) => (u128::from(digit), 0),
-                None => {
-                    return Err(format!(
-                        "column {column}: {character:?} is not a hexadecimal digit"
-                    ));
-                }
-            },
-        };
-        word = word << 4 | digit;
-        unknown = unknown << 4 | blank;
-    }
-    Ok((word, unknown))
 }

@@ -1,22 +1,32 @@
 //! `tb.*` and `dut.*`: the testbenches and the devices that pass them.
 
 use super::Interface;
-use super::half::{Half, halves};
+use super::half::Half;
 use super::keyword::identifier;
+use super::plan::Plan;
 use super::record::Record;
 use super::rtl::{Source, Values};
-use super::stream::{self, Stream, streams};
+use super::stream::{self, Stream};
 use super::template::{fill, head};
+
+/// What the head of a SystemVerilog file says of a bench that is left out.
+const LEFT_OUT: &str = "// Not checked, @BENCH@: @REASON@.\n";
+/// The same in VHDL.
+const LEFT_OUT_VHDL: &str = "-- Not checked, @BENCH@: @REASON@.\n";
 
 /// The SystemVerilog testbench.
 pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String {
-    let halves = halves(interface, records);
-    let streams = streams(interface, records);
-    if halves.is_empty() && streams.is_empty() {
-        return head(interface, include_str!("tb.none.sv.in"));
+    let plan = Plan::systemverilog(interface, records);
+    let (halves, streams, names) = (&plan.halves, &plan.streams, plan.names());
+    let left_out = plan.each_unchecked(LEFT_OUT);
+    let say = |indent: &str| {
+        plan.each_unchecked(&format!("{indent}$display(\"NOT CHECKED @BENCH@: @REASON@\");\n"))
+    };
+    if names.is_empty() {
+        let values = [("LEFT_OUT", left_out.as_str()), ("SAY", &say("        "))];
+        let text = fill(include_str!("tb.none.sv.in"), &values);
+        return head(interface, &text);
     }
-    let names = halves.iter().map(|half| half.name).chain(streams.iter().map(|stream| stream.name));
-    let names: Vec<&str> = names.collect();
     let each = |between: &str, text: &dyn Fn(&str) -> String| {
         names.iter().map(|name| text(name)).collect::<Vec<_>>().join(between)
     };
@@ -33,6 +43,9 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
         &[
             ("HALVES", &checks),
             ("INSTANCES", &instances),
+            ("LEFT_OUT", &left_out),
+            ("SAY", &say("            ")),
+            ("UNCHECKED", &plan.verdict()),
             ("SCOPES", &each(", ", &identifier)),
             ("DONE", &each(" && ", &|name| format!("{name}_done"))),
             ("BAD", &each(" || ", &|name| format!("{name}_mismatches != 0"))),
@@ -46,10 +59,11 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
 
 /// The SystemVerilog devices.
 pub(super) fn systemverilog_device(interface: &Interface, records: &[Record]) -> String {
-    let halves = halves(interface, records);
-    let mut text = include_str!("dut.sv.in").to_owned();
-    text += &devices(interface, &halves, |half| half.module);
-    text += &stream::modules(interface, &streams(interface, records), &halves);
+    let plan = Plan::systemverilog(interface, records);
+    let start = fill(include_str!("dut.sv.in"), &[("LEFT_OUT", &plan.each_unchecked(LEFT_OUT))]);
+    let text = start
+        + &devices(interface, &plan.halves, |half| half.module)
+        + &stream::modules(interface, &plan.streams, &plan.halves);
     head(interface, &text)
 }
 
@@ -60,9 +74,13 @@ pub(super) fn cocotb(interface: &Interface) -> String {
 
 /// The VHDL testbench.
 pub(super) fn vhdl(interface: &Interface, records: &[Record]) -> String {
-    let halves = halves(interface, records);
+    let plan = Plan::vhdl(interface, records);
+    let halves = &plan.halves;
+    let left_out = plan.each_unchecked(LEFT_OUT_VHDL);
+    let say = plan.each_unchecked("        say(\"NOT CHECKED @BENCH@: @REASON@\");\n");
     if halves.is_empty() {
-        return head(interface, include_str!("tb.none.vhd.in"));
+        let text = fill(include_str!("tb.none.vhd.in"), &[("LEFT_OUT", &left_out), ("SAY", &say)]);
+        return head(interface, &text);
     }
     let each = |between: &str, text: &dyn Fn(&str) -> String| {
         halves.iter().map(|half| text(half.name)).collect::<Vec<_>>().join(between)
@@ -82,6 +100,9 @@ pub(super) fn vhdl(interface: &Interface, records: &[Record]) -> String {
         include_str!("tb.vhd.in"),
         &[
             ("HALVES", &halves.iter().map(Half::vhdl).collect::<String>()),
+            ("LEFT_OUT", &left_out),
+            ("SAY", &say),
+            ("UNCHECKED", &plan.verdict()),
             ("SIGNALS", &signals),
             ("INSTANCES", &instances),
             ("DONE", &each(" and ", &|name| format!("{name}_done"))),
@@ -95,16 +116,15 @@ pub(super) fn vhdl(interface: &Interface, records: &[Record]) -> String {
 
 /// The VHDL devices.
 pub(super) fn vhdl_device(interface: &Interface, records: &[Record]) -> String {
-    let start = include_str!("dut.vhd.in");
-    if halves(interface, records).is_empty() {
+    let plan = Plan::vhdl(interface, records);
+    let left_out = plan.each_unchecked(LEFT_OUT_VHDL);
+    let mut text = fill(include_str!("dut.vhd.in"), &[("LEFT_OUT", &left_out)]);
+    text += &devices(interface, &plan.halves, |half| half.entity);
+    if plan.halves.is_empty() {
         // A design file needs a design unit.
-        return head(
-            interface,
-            &format!("{start}\npackage guardbit_no_device is\nend package guardbit_no_device;\n"),
-        );
+        text += "\npackage guardbit_no_device is\nend package guardbit_no_device;\n";
     }
-    let halves = halves(interface, records);
-    head(interface, &(start.to_owned() + &devices(interface, &halves, |half| half.entity)))
+    head(interface, &text)
 }
 
 /// The device of each half, after an empty line.

@@ -87,6 +87,12 @@ pub(super) fn halves<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Ve
 }
 
 impl Half<'_> {
+    /// The device's parameters as the package has them.
+    fn parameters(&self) -> String {
+        let width = format!("{}_{}_WIDTH", self.exp.constant(), self.state.constant());
+        parameters(self.module, &[("M", width)])
+    }
+
     /// Highest and lowest bit of each part of the state that is not empty.
     fn slices(&self) -> Vec<(u32, u32)> {
         let mut top = self.state.column.width;
@@ -143,8 +149,9 @@ impl Half<'_> {
                 ("EXP_DIGITS", &text_mask(self.exp, true)),
                 ("EXP_PACK", &pack(self.exp, "exp_file.nibbles")),
                 ("STATE_FORMAT", &join(&slices, ".", |_| "%b".to_owned())),
-                ("STATE_WANT", &bits(&format!("want.{state}"))),
+                ("STATE_WANT", &bits(&format!("answer.{state}"))),
                 ("STATE_GOT", &bits(state)),
+                ("PARAMETERS", &self.parameters()),
             ],
         )
     }
@@ -170,6 +177,18 @@ impl Half<'_> {
             ],
         )
     }
+}
+
+/// The parameters of a device, each by its name, set to constants of the package: on request, since a
+/// device of one's own need not have them.
+pub(super) fn parameters(module: &Source, of_files: &[(&str, String)]) -> String {
+    let constant = |name: &str| {
+        let found = of_files.iter().find(|(known, _)| *known == name);
+        found.map(|(_, constant)| constant.as_str()).or_else(|| rtl::constant(name))
+    };
+    let set = module.parameters().iter().filter_map(|name| Some((name, constant(name)?)));
+    let list: Vec<String> = set.map(|(name, value)| format!(".{name}({value})")).collect();
+    format!("\n`ifdef GUARDBIT_PARAMETERS\n        #({})\n`endif\n        ", list.join(", "))
 }
 
 fn join<T: Copy>(items: &[T], between: &str, text: impl Fn(T) -> String) -> String {

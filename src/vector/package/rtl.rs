@@ -81,7 +81,54 @@ pub(super) static DDA_VHDL: Source =
 pub(super) static EDGE_STEPPER_VHDL: Source =
     vhdl("edge_stepper.vhd", include_str!("../../../hdl/edge_stepper.vhd"), &["M"]);
 
+/// The constant of the packages that a parameter is set to; those of widths depend on the bench.
+pub(super) fn constant(parameter: &str) -> Option<&'static str> {
+    let constants = [
+        ("G", "GUARD_BITS"),
+        ("I", "INTEGER_BITS"),
+        ("F", "FRACTION_BITS"),
+        ("MODE", "CLAMP_MODE"),
+        ("S", "SUB_PIXEL_BITS"),
+        ("SAMPLE_X", "SAMPLE_X"),
+        ("SAMPLE_Y", "SAMPLE_Y"),
+        ("RULE", "SHADOW_RULE"),
+        ("SHIFT", "EDGE_SHIFT"),
+        ("ROUNDING", "ROUNDING"),
+        ("HALF", "START_HALF"),
+    ];
+    constants.into_iter().find(|(name, _)| *name == parameter).map(|(_, constant)| constant)
+}
+
+/// What the packages say of the set-up: constant, value, and what it is.
+pub(super) fn setup_constants(setup: &SetupParameters) -> [(&'static str, i128, String); 7] {
+    let Values(values) = Values::default().and_setup(setup);
+    let value = |parameter: &str| {
+        let found = values.iter().find(|(name, _)| *name == parameter);
+        found.map_or_else(|| unreachable!("{parameter} is a parameter of the set-up"), |(_, v)| *v)
+    };
+    let rounding = setup.rounding.names().guardbit;
+    [
+        ("S", "sub-pixel bits of a vertex".to_owned()),
+        ("SAMPLE_X", "the sample in its pixel, in sub-pixels".to_owned()),
+        ("SAMPLE_Y", "the same, downward".to_owned()),
+        ("RULE", "fill rule: 0 top-left, 1 shadow".to_owned()),
+        ("SHIFT", "low bits of an edge value that are not kept".to_owned()),
+        ("ROUNDING", format!("of start and slopes, as setup_divider has it: {rounding}")),
+        ("HALF", "1: the start gains half a depth step".to_owned()),
+    ]
+    .map(|(parameter, what)| {
+        let name = constant(parameter)
+            .unwrap_or_else(|| unreachable!("{parameter} has a constant in the packages"));
+        (name, value(parameter), what)
+    })
+}
+
 impl Source {
+    /// The parameters that a set decides.
+    pub(super) fn parameters(&self) -> &'static [&'static str] {
+        self.parameters
+    }
+
     /// The name of its file in `hdl`.
     pub(super) fn file(&self) -> &'static str {
         self.file

@@ -1,11 +1,11 @@
 //! Benches of devices behind valid/ready streams: one record in, rows of several files out.
 
-use super::half::{Half, pack, text_mask};
+use super::half::{Half, pack, parameters, text_mask};
 use super::record::{Field, Record};
 use super::rtl::{self, Source, Values};
 use super::template::fill;
 use super::{Interface, SetupParameters};
-use crate::format::{Clamp, Role};
+use crate::format::Role;
 
 /// A device, the file that drives it and the files that it answers.
 pub(super) struct Stream<'a> {
@@ -14,8 +14,12 @@ pub(super) struct Stream<'a> {
     device: &'static str,
     /// The modules that the device is made of, itself last.
     parts: &'static [&'static Source],
-    /// What its set-up is told.
-    setup: SetupParameters,
+    /// What its set-up is told, where it has one.
+    setup: Option<SetupParameters>,
+    /// A column that is an edge word, and the file that has it.
+    edge: (&'a Record<'a>, &'a Field<'a>),
+    /// Whether answers of a test may come in any order unless the simulation asks for another.
+    any_order: bool,
     cfg: &'a Record<'a>,
     /// The column of `cfg` that has the width of the device's coordinates.
     coordinate: &'a Field<'a>,
@@ -27,6 +31,8 @@ struct Answer<'a> {
     /// What its ports' names begin with.
     prefix: &'static str,
     exp: &'a Record<'a>,
+    /// How many of its first columns say where a row belongs; 0 where only the order says it.
+    key: usize,
     /// Its columns, and whether the device has a port for each.
     fields: Vec<(&'a Field<'a>, bool)>,
 }
@@ -46,35 +52,39 @@ fn names(roles: &[Role]) -> Vec<String> {
 
 /// The streams that the set has all files for, and whose device this crate has.
 pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
-    let Some(parameters) = interface.setup else { return Vec::new() };
     let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY, Role::ZERO_AREA];
     let edges = three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]);
     let words = [edges, names(&plane)].concat();
     let vertices = three([Role::VERTEX_X, Role::VERTEX_Y, Role::VERTEX_Z]);
     let test = names(&[Role::TEST]);
     let sides = [Role::BOX_Y_BEGIN, Role::BOX_Y_END, Role::BOX_X_BEGIN, Role::BOX_X_END];
-    let engine = [test, words.clone(), names(&sides)].concat();
+    let engine_inputs = [test, words.clone(), names(&sides)].concat();
     let summary =
         [&[Role::TEST, Role::SPANS, Role::SAMPLES][..], &EVENTS, &[Role::ZERO_AREA]].concat();
-    let setup = stream(
-        (records, parameters),
-        ("setup", SETUP, Role::VERTEX_X),
-        &vertices,
-        &[("setup.exp", "o_", words)],
-    );
-    let triangle = stream(
-        (records, parameters),
-        ("triangle", ENGINE, Role::BOX_X_BEGIN),
-        &engine,
-        &[
-            ("span.exp", "span_", names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
-            ("depth.exp", "sample_", names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
-            ("triangle.exp", "triangle_", names(&summary)),
-        ],
-    );
-    // A sticky accumulator depends on the way, and a refused triangle has no rows.
-    let walks = !matches!(interface.clamp.mode, Clamp::Saturate | Clamp::Error);
-    setup.into_iter().chain(triangle.filter(|_| walks)).collect()
+    let setup = interface.setup.as_ref().ok().and_then(|parameters| {
+        let device = (SETUP, Some(*parameters), false);
+        stream(
+            records,
+            ("setup", Role::VERTEX_X),
+            device,
+            &vertices,
+            &[("setup.exp", "o_", 0, words)],
+        )
+    });
+    let triangle = interface.engine.as_ref().ok().and_then(|engine| {
+        stream(
+            records,
+            ("triangle", Role::BOX_X_BEGIN),
+            (ENGINE, None, engine.any_order),
+            &engine_inputs,
+            &[
+                ("span.exp", "span_", 4, names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
+                ("depth.exp", "sample_", 3, names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
+                ("triangle.exp", "triangle_", 1, names(&summary)),
+            ],
+        )
+    });
+    setup.into_iter().chain(triangle).collect()
 }
 
 /// A device of `hdl` behind streams, and the modules that it is made of, itself last.
@@ -92,13 +102,16 @@ const ENGINE: Device = (
     ],
 );
 
-/// A file that a device answers: its stem, what the names of the ports begin with, its columns.
-type Wanted = (&'static str, &'static str, Vec<String>);
+/// A file that a device answers: its stem, what the names of the ports begin with, how many columns are
+/// its key, its columns.
+type Wanted = (&'static str, &'static str, usize, Vec<String>);
 
-/// The stream of that name, if the set has its files with just these columns.
+/// The stream of that name, if the set has its files with just these columns. Its `coordinate` has the
+/// width of the device's coordinates.
 fn stream<'a>(
-    (records, setup): (&'a [Record<'a>], SetupParameters),
-    (name, (device, parts), coordinate): (&'static str, Device, Role),
+    records: &'a [Record<'a>],
+    (name, coordinate): (&'static str, Role),
+    ((device, parts), setup, any_order): (Device, Option<SetupParameters>, bool),
     inputs: &[String],
     answers: &[Wanted],
 ) -> Option<Stream<'a>> {
@@ -108,15 +121,18 @@ fn stream<'a>(
         (same && record.file.rows > 0).then_some(record)
     };
     let cfg = find(&format!("{name}.cfg"), inputs)?;
-    let answers = answers.iter().map(|(stem, prefix, columns)| {
+    let answers = answers.iter().map(|(stem, prefix, key, columns)| {
         let exp = find(stem, columns)?;
         let skipped = |field: &Field| EVENTS.iter().any(|role| role.pattern == field.column.name);
         let fields = exp.fields.iter().map(|field| (field, !skipped(field))).collect();
-        Some(Answer { prefix, exp, fields })
+        Some(Answer { prefix, exp, key: *key, fields })
     });
-    let answers = answers.collect::<Option<_>>()?;
+    let answers: Vec<Answer> = answers.collect::<Option<_>>()?;
     let coordinate = cfg.field(&coordinate.name(0))?;
-    Some(Stream { name, device, parts, setup, cfg, coordinate, answers })
+    let edge = Role::EDGE_INIT.name(0);
+    let mut files = std::iter::once(cfg).chain(answers.iter().map(|answer| answer.exp));
+    let edge = files.find_map(|record| Some((record, record.field(&edge)?)))?;
+    Some(Stream { name, device, parts, setup, edge, any_order, cfg, coordinate, answers })
 }
 
 /// The modules of these streams' devices, without those of `halves`, which the text has already.
@@ -127,7 +143,8 @@ pub(super) fn modules(interface: &Interface, streams: &[Stream], halves: &[Half]
     for stream in streams {
         // A vertex coordinate, or a pixel's.
         let coordinate = stream.coordinate.column.width;
-        let values = values.clone().and_setup(&stream.setup).and("M", stream.setup.edge);
+        let values = stream.setup.iter().fold(values.clone(), Values::and_setup);
+        let values = values.and("M", stream.edge.1.column.width);
         let values = values.and("VW", coordinate).and("C", coordinate);
         for part in stream.parts.iter().filter(|part| !have(part)) {
             text += "\n";
@@ -149,16 +166,32 @@ impl Stream<'_> {
             let parts: Vec<String> = self.answers.iter().map(|answer| answer.fill(text)).collect();
             parts.join(between)
         };
+        let keyed = self.answers.iter().any(|answer| answer.key > 0);
+        let order = |text: &'static str| if keyed { text } else { "" };
+        let complete =
+            |answer: &Answer| answer.fill(if answer.key > 0 { COMPLETE_ANY } else { COMPLETE });
+        let complete: Vec<String> = self.answers.iter().map(complete).collect();
+        let start = ORDER_START.replace("@DEFAULT@", if self.any_order { "1'b1" } else { "1'b0" });
         let text = fill(
             include_str!("tb.stream.sv.in"),
             &[
+                ("ORDER_HELP", order(ORDER_HELP)),
+                ("ORDER_START", if keyed { &start } else { "" }),
+                (
+                    "ORDER",
+                    order(
+                        "    reg any_order;                          // rows of a test are matched by their key\n",
+                    ),
+                ),
+                ("MISSING", &each(&|answer| answer.keyed(MISSING))),
+                ("PARAMETERS", &self.parameters()),
                 ("ANSWERS", &each(&|answer| answer.declare(self.name))),
                 ("INPUTS", &inputs.concat()),
                 ("OUTPUTS", each(&|answer| answer.connect()).trim_end_matches([',', '\n'])),
-                ("START", &each(&|answer| answer.fill(START))),
+                ("START", &each(&|answer| answer.start())),
                 ("WATCH", &each(&|answer| answer.fill(WATCH))),
                 ("READY", &all("", READY)),
-                ("COMPLETE", &all(" && ", "@ANSWER@file.line >= @EXP@_ROWS")),
+                ("COMPLETE", &complete.join(" && ")),
                 ("VALID", &all(" || ", "@ANSWER@valid")),
                 ("LAST", &all("", "                @ANSWER@file.last;\n")),
                 ("WAVES", &self.waves()),
@@ -176,6 +209,24 @@ impl Stream<'_> {
                 ("CFG_PACK", &pack(self.cfg, "cfg_file.nibbles")),
             ],
         )
+    }
+}
+
+impl Stream<'_> {
+    /// The device's parameters as the package has them.
+    fn parameters(&self) -> String {
+        let [.., top] = self.parts else { return String::new() };
+        let of = |record: &Record, field: &Field, what: &str| {
+            format!("{}_{}_{what}", record.constant(), field.constant())
+        };
+        let coordinate = |what| of(self.cfg, self.coordinate, what);
+        let of_files = [
+            ("VW", coordinate("WIDTH")),
+            ("C", coordinate("WIDTH")),
+            ("VS", coordinate("SIGNED")),
+            ("M", of(self.edge.0, self.edge.1, "WIDTH")),
+        ];
+        parameters(top, &of_files)
     }
 }
 
@@ -201,7 +252,27 @@ impl Stream<'_> {
     }
 }
 
-const START: &str = "        @ANSWER@ready = 1'b0;
+const ORDER_HELP: &str = "// +anyorder takes the rows of a test in any order, each matched by its key; +fileorder takes them in
+// the order of the files.
+";
+
+const ORDER_START: &str = "        any_order = @DEFAULT@;
+        if ($test$plusargs(\"anyorder\")) any_order = 1'b1;
+        if ($test$plusargs(\"fileorder\")) any_order = 1'b0;
+";
+
+const COMPLETE: &str = "@ANSWER@file.line >= @EXP@_ROWS";
+
+const COMPLETE_ANY: &str =
+    "@ANSWER@file.line >= @EXP@_ROWS && !@ANSWER@ahead && @ANSWER@open.size() == 0";
+
+const MISSING: &str = "                if (@ANSWER@open.size() > 0) begin
+                    {@ANSWER@line, @ANSWER@picked} = @ANSWER@open[0];
+                    $display(\"MISMATCH @HALF@ (@STEM@.tv line %0d): this row and %0d others of the tests so far are missing\", @ANSWER@line, @ANSWER@open.size() - 1);
+                end
+";
+
+const START: &str = "@AHEAD@        @ANSWER@ready = 1'b0;
         @ANSWER@held = 1'b0;
         @ANSWER@dump = 0;
         if ($test$plusargs(\"dump\")) @ANSWER@dump = $fopen(\"@STEM@.dut.tv\", \"w\");
@@ -232,6 +303,37 @@ impl Answer<'_> {
         )
     }
 
+    /// A text that only an answer with a key has.
+    fn keyed(&self, text: &str) -> String {
+        if self.key > 0 { self.fill(text) } else { String::new() }
+    }
+
+    fn start(&self) -> String {
+        let ahead = self.keyed("        @ANSWER@ahead = 1'b0;\n");
+        self.fill(&fill(START, &[("AHEAD", &ahead)]))
+    }
+
+    /// The task that finds the row of an answer's key.
+    fn any_order(&self) -> String {
+        let key: Vec<&str> =
+            self.fields[..self.key].iter().map(|(field, _)| field.id.as_str()).collect();
+        let Some(test) = key.first() else { return String::new() };
+        let list = |between: &str, text: &dyn Fn(&str) -> String| {
+            key.iter().map(|id| text(id)).collect::<Vec<_>>().join(between)
+        };
+        let same = |id: &str| format!("{0}{id} === {0}want.{id}", self.prefix);
+        let text = fill(
+            include_str!("tb.any.sv.in"),
+            &[
+                ("SAME_KEY", &list(" && ", &same)),
+                ("KEY_FORMAT", &list(", ", &|id| format!("{id} %0d"))),
+                ("KEY", &list(", ", &|id| format!("{}{id}", self.prefix))),
+                ("TEST", test),
+            ],
+        );
+        self.fill(&text)
+    }
+
     fn ports(&self) -> impl Iterator<Item = &Field<'_>> {
         self.fields.iter().filter(|(_, port)| *port).map(|(field, _)| *field)
     }
@@ -257,7 +359,7 @@ impl Answer<'_> {
                 mismatches = mismatches + 1;
                 if (mismatches <= REPORTED)
                     $display(\"MISMATCH {name} ({stem}.tv line %0d) field {field}\\n    expected %h  %b\\n    got      %h  %b\",
-                        {prefix}file.line, {prefix}want.{id}, {prefix}want.{id}, {prefix}{id}, {prefix}{id});
+                        line, {prefix}want.{id}, {prefix}want.{id}, {prefix}{id}, {prefix}{id});
             end
 ",
                     field = column.name
@@ -295,6 +397,8 @@ impl Answer<'_> {
                 ("COMPARE", &compare.concat()),
                 ("FORMATS", &(formats.join("_") + &mask)),
                 ("WORDS", &words.join(", ")),
+                ("ANY_ORDER", &self.any_order()),
+                ("FIND", &self.keyed("if (any_order) @ANSWER@find;\n            else ")),
             ],
         )
     }

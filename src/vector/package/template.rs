@@ -1,6 +1,6 @@
 //! Filling in templates.
 
-use super::Interface;
+use super::{Interface, rtl};
 use crate::format::Clamp;
 
 /// The template with each `@KEY@` replaced by its value. Values are not searched again for keys
@@ -30,8 +30,24 @@ pub(super) fn head(interface: &Interface, text: &str) -> String {
 }
 
 /// Fills in a package: what describes each file, and everything about the set itself.
-pub(super) fn package(interface: &Interface, template: &str, files: &[String]) -> String {
+/// `comment` opens a comment of one line, `constant` is one of the set-up's constants: `@NAME@ @VALUE@`.
+pub(super) fn package(
+    interface: &Interface,
+    template: &str,
+    (comment, constant): (&str, &str),
+    files: &[String],
+) -> String {
     let clamp = &interface.clamp;
+    let setup = match &interface.setup {
+        Ok(setup) => {
+            let each = rtl::setup_constants(setup).map(|(name, value, what)| {
+                let line = fill(constant, &[("NAME", name), ("VALUE", &value.to_string())]);
+                fill(comment, &[("TEXT", &what)]) + &line
+            });
+            format!("\n{}{}", fill(comment, &[("TEXT", "Set-up.")]), each.concat())
+        }
+        Err(_) => String::new(),
+    };
     let text = fill(
         template,
         &[
@@ -39,6 +55,7 @@ pub(super) fn package(interface: &Interface, template: &str, files: &[String]) -
             ("INTEGER", &clamp.integer.to_string()),
             ("FRACTION", &clamp.fraction.to_string()),
             ("MODE", &mode(clamp.mode)),
+            ("SETUP", &setup),
             ("FILES", &files.join("\n")),
         ],
     );

@@ -33,7 +33,9 @@ fn edge() -> Vec<FileLayout> {
 
 fn interface(files: Vec<FileLayout>) -> Interface {
     let clamp = ClampParameters { guard: 2, integer: 24, fraction: 13, mode: Clamp::Guard };
-    Interface { set: "sgi-4k-g2".to_owned(), model_version: 3, clamp, setup: None, files }
+    let (set, none) = ("sgi-4k-g2".to_owned(), "no such device".to_owned());
+    let (setup, engine) = (Err(none.clone()), Err(none));
+    Interface { set, model_version: 3, clamp, setup, engine, files }
 }
 
 fn text(interface: &Interface, name: &str) -> String {
@@ -241,5 +243,46 @@ fn every_mode_has_its_name_and_error_decodes_as_guard() {
         assert!(
             text(&interface, "pkg.vhd").contains(&format!("CLAMP_MODE : clamp_t := CLAMP_{name};"))
         );
+    }
+}
+
+// Clause J-3
+#[test]
+fn a_bench_that_is_left_out_is_named_with_its_reason() {
+    let mut set = dda();
+    set[1].rows = 5;
+    set.push(layout("setup.cfg.tv", 3, &[("v0_x", 12)]));
+    set.push(layout("setup.exp.tv", 3, &[("zero_area", 1)]));
+    set.push(layout("edge.cfg.tv", 3, &[("e0", 12)]));
+    set.push(layout("edge.exp.tv", 3, &[("op", 2)]));
+    set.push(layout("line.cfg.tv", 3, &[("v0_x", 12)]));
+    set.push(layout("line.exp.tv", 0, &[("test", 32)]));
+    let interface = interface(set);
+    let left: Vec<(&str, String, String)> = unchecked(&interface)
+        .into_iter()
+        .map(|left| (left.testbench, left.bench, left.reason))
+        .collect();
+    let expected: Vec<(&str, String, String)> = ["tb.sv", "tb.vhd"]
+        .into_iter()
+        .flat_map(|testbench| {
+            [
+                ("setup", "no such device"),
+                ("edge", "its files lack a column of the device"),
+                ("line", "line.exp.tv has no rows"),
+            ]
+            .map(|(bench, reason)| (testbench, bench.to_owned(), reason.to_owned()))
+        })
+        .collect();
+    assert_eq!(left, expected);
+    for name in ["tb.sv", "tb.vhd"] {
+        let text = text(&interface, name);
+        let head: Vec<&str> =
+            text.lines().take_while(|l| l.starts_with("//") || l.starts_with("--")).collect();
+        for (_, bench, reason) in &expected[..3] {
+            let line = format!("Not checked, {bench}: {reason}.");
+            assert!(head.iter().any(|found| found.ends_with(&line)), "{name}: {line}");
+            assert!(text.contains(&format!("NOT CHECKED {bench}: {reason}\"")), "{name}: {bench}");
+        }
+        assert!(text.contains(" not checked: setup edge line\""), "{name}");
     }
 }

@@ -9,7 +9,12 @@ const TEMPLATE: &str = include_str!("pkg.vh.in");
 /// The whole include file.
 pub(super) fn package(interface: &Interface, records: &[Record]) -> String {
     let files: Vec<String> = records.iter().map(file).collect();
-    template::package(interface, TEMPLATE, &files)
+    template::package(
+        interface,
+        TEMPLATE,
+        ("// @TEXT@\n", "`define GUARDBIT_@NAME@ @VALUE@\n"),
+        &files,
+    )
 }
 
 fn file(record: &Record) -> String {

@@ -10,7 +10,12 @@ const TEMPLATE: &str = include_str!("pkg.vhd.in");
 pub(super) fn package(interface: &Interface, records: &[Record]) -> String {
     let files: Vec<String> = records.iter().map(declaration).collect();
     let bodies: Vec<String> = records.iter().map(body).collect();
-    template::package(interface, &fill(TEMPLATE, &[("BODIES", &bodies.join("\n"))]), &files)
+    template::package(
+        interface,
+        &fill(TEMPLATE, &[("BODIES", &bodies.join("\n"))]),
+        ("    -- @TEXT@\n", "    constant @NAME@ : natural := @VALUE@;\n"),
+        &files,
+    )
 }
 
 fn declaration(record: &Record) -> String {

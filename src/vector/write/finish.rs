@@ -1,19 +1,18 @@
 //! The last of a set: scene, profile, packages, benches, and the manifest.
 
+use super::interface::interface;
 use super::{Options, Part, SetRequest, file_name};
-use crate::cover::{EdgeStorage, FillRule};
-use crate::format::Clamp;
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
 use crate::scene::{self, lines};
-use crate::setup::{Division, Triangle, VertexConfig};
-use crate::value::StartBias;
+use crate::setup::{Triangle, VertexConfig};
 use crate::vector::bench::{Bench, Cells};
 use crate::vector::emit::Emitted;
 use crate::vector::manifest::{
-    self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, sha256,
+    self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, UncheckedEntry,
+    sha256,
 };
-use crate::vector::package::{self, ClampParameters, FileLayout, Interface, SetupParameters};
+use crate::vector::package;
 use crate::vector::table::RowFormat;
 use std::fs::File;
 use std::io::{Error, Result, Write};
@@ -51,46 +50,24 @@ pub fn companions(
     list
 }
 
-fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
-    let clamp = match profile.depth {
-        Some(depth) => ClampParameters {
-            guard: depth.guard,
-            integer: depth.integer,
-            fraction: depth.interpolation,
-            mode: depth.clamp,
-        },
-        None => ClampParameters { guard: 0, integer: 1, fraction: 0, mode: Clamp::Wrap },
-    };
-    let files = files
-        .iter()
-        .map(|file| FileLayout {
-            name: file.name.clone(),
-            rows: file.rows,
-            columns: file.columns.clone(),
-        })
-        .collect();
-    let setup = setup(profile);
-    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, setup, files }
-}
-
-/// What the set-up of a set's devices is told; `None` where they cannot do the profile's.
-fn setup(profile: &Profile) -> Option<SetupParameters> {
-    let (edge, depth) = profile.plain_edges().zip(profile.depth)?;
-    if depth.division != Division::Quotient {
-        return None;
+/// The benches that the testbenches of a set do not drive; none of a form that has no testbenches.
+pub fn unchecked(
+    set: &str,
+    profile: &Profile,
+    vector_files: &[FileEntry],
+    format: RowFormat,
+    zstd: bool,
+) -> Vec<UncheckedEntry> {
+    if format != RowFormat::Tv || zstd {
+        return Vec::new();
     }
-    let grid = profile.grid().ok()?;
-    let vertex = &profile.vertex;
-    Some(SetupParameters {
-        signed: vertex.signed,
-        sub_pixel: vertex.sub_pixel,
-        sample: grid.offset,
-        shadow: edge.rule == FillRule::Shadow,
-        shift: if edge.storage == EdgeStorage::Shifted { vertex.sub_pixel } else { 0 },
-        edge: edge.width,
-        rounding: depth.rounding,
-        half: depth.start_bias == StartBias::Half,
-    })
+    let list = package::unchecked(&interface(set, profile, vector_files));
+    let entry = |left: package::Unchecked| UncheckedEntry {
+        testbench: left.testbench.to_owned(),
+        bench: left.bench,
+        reason: left.reason,
+    };
+    list.into_iter().map(entry).collect()
 }
 
 /// What the manifest says of a bench: its groups that have tests, and what their rows hit.
@@ -132,6 +109,8 @@ pub(super) fn finish(
         options.format,
         options.zstd,
     );
+    let unchecked =
+        unchecked(&request.name, &request.profile, &entries, options.format, options.zstd);
     let mut scene_digest = String::new();
     for (name, text) in companions {
         let entry = FileEntry {
@@ -165,6 +144,7 @@ pub(super) fn finish(
         files: entries,
         groups,
         coverage,
+        unchecked,
         digest: String::new(),
     };
     let text = manifest.to_text();

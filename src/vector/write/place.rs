@@ -147,8 +147,15 @@ fn made_by_us(out: &Path) -> (BTreeSet<OsString>, Option<PathBuf>) {
     let (mut ours, mut inner) = (BTreeSet::new(), None);
     let own = |folder: &Path| -> Option<BTreeSet<OsString>> {
         let listed: Listed = listed(&folder.join(manifest::NAME))?;
+        // What a bench of the set dumps beside the files that it compares.
+        let dump = |file: &ListedFile| {
+            file.name
+                .strip_suffix(".exp.tv")
+                .map(|stem| OsString::from(format!("{stem}.exp.dut.tv")))
+        };
+        let dumps: Vec<OsString> = listed.files.iter().filter_map(dump).collect();
         let files = listed.files.into_iter().map(|file| OsString::from(file.name));
-        Some(files.chain([OsString::from(manifest::NAME)]).collect())
+        Some(files.chain(dumps).chain([OsString::from(manifest::NAME)]).collect())
     };
     let Some(index) = listed::<ListedSets>(&out.join(INDEX)) else {
         return (own(out).unwrap_or_default(), None);

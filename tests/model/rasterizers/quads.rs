@@ -1,6 +1,7 @@
 //! Edge functions over quads.
 
 use super::{model, records, word, wrap};
+use guardbit::model::Model;
 
 const VERTICES: &str = "radix = 10
 input = [\"x0:4\", \"y0:4\", \"x1:4\", \"y1:4\", \"x2:4\", \"y2:4\", \"left:5\", \"top:5\", \"right:5\", \"bottom:5\"]
@@ -24,7 +25,7 @@ fn vertices_by_both_rules() {
             let mut expected = Vec::new();
             // The range [0, 5] in halves holds pixels 0 to 2 at x = 1, 3, 5 and y = 0, 2, 4.
             for y in 0..3 {
-                for x in 0..3 {
+                for x in columns(v, y - y % 2, width) {
                     let at = [2 * x + 1, 2 * y];
                     let edge = |p: [i128; 2], q: [i128; 2]| {
                         wrap((q[0] - p[0]) * (at[1] - p[1]) - (q[1] - p[1]) * (at[0] - p[0]), width)
@@ -61,6 +62,51 @@ fn vertices_by_both_rules() {
         }
         assert!(drawn > 5000, "{drawn}");
     }
+}
+
+/// The columns of 0 to 2 that clause RG-5 leaves of the row of quads at pixel row `y`: samples at x = 1, 3, 5 and 7
+/// halves, and quads of 4 halves.
+fn columns(v: [[i128; 2]; 3], y: i128, width: u32) -> std::ops::Range<i128> {
+    let (mut low, mut high) = (0, 5);
+    for (p, q) in [(v[1], v[2]), (v[2], v[0]), (v[0], v[1])] {
+        let edge =
+            |x: i128, y: i128| wrap((q[0] - p[0]) * (y - p[1]) - (q[1] - p[1]) * (x - p[0]), width);
+        let (x, y) = (1, 2 * y);
+        let most = [edge(x, y), edge(x + 2, y), edge(x, y + 2), edge(x + 2, y + 2)];
+        let most = most.into_iter().max().unwrap();
+        let step = wrap(4 * (p[1] - q[1]), width);
+        if most < 0 && step <= 0 {
+            return 0..0;
+        } else if most < 0 {
+            low = low.max(wrap(4 * (-most / step), width));
+        } else if step < 0 {
+            high = high.min(wrap(4 * (-most / step + 1), width));
+        }
+    }
+    // A quad begins at a multiple of 4 halves within the closed range, and its columns end with the range.
+    let first = low / 2;
+    let end = if high < 0 { 0 } else { 3.min((high / 4 + 1) * 2) };
+    first..end
+}
+
+/// Clause RG-5: a case of the oracle. The true triangle covers samples of the range, and the edge words wrap: every row
+/// of quads is found empty.
+#[test]
+fn rows_whose_edge_words_wrap_are_left_out() {
+    let model = Model::new(&guardbit::profile::load("psp").unwrap()).unwrap();
+    let words = [30364, 35516, 9930, 337, 41801, 45086, 60832, 4832, 61151, 5151].map(word);
+    assert_eq!(records(&model, &words), []);
+}
+
+/// Clause RG-5: `left`, `top`, `right` and `bottom` have 17 bits, one more than a vertex. Pixel 4095 of row 0 has its
+/// sample at (65527, 7), left of the vertical edge at 65535; the range ends at 65551.
+#[test]
+fn a_range_reaches_beyond_the_last_vertex() {
+    let model = Model::new(&guardbit::profile::load("psp").unwrap()).unwrap();
+    let words = [65000, 0, 65535, 0, 65535, 1000, 65520, 0, 65551, 15].map(word);
+    let got: Vec<Vec<i64>> = records(&model, &words).into_iter().map(|r| r.1).collect();
+    // Edge values at the sample: v1 v2, v2 v0, v0 v1.
+    assert_eq!(got, [[4095, 0, 8000, 535 * 993 - 8000, 535 * 7]]);
 }
 
 /// Clause RG-7: every pair of steps of one edge that fits four bits, from every start that fits seven, over

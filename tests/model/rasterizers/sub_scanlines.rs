@@ -178,3 +178,27 @@ fn values_at_the_first_covered_sample() {
     }
     assert!(partly > 25 && seen.len() >= 6, "{partly} {seen:?}");
 }
+
+/// Clause RG-18: a row to the left turns the sign of a slope in the 32 bits of the slope, so -2^31 stays -2^31. The
+/// product with a distance of 2 then keeps a negative sign above 31 bits of 0, and moves z = 5 to -2^31 + 5 codes,
+/// which the guard clamp reads as the largest depth. Each further pixel adds 2^31 mod 2^32.
+#[test]
+fn the_lowest_slope_keeps_its_sign_to_the_left() {
+    for product in ["resize", "wrap"] {
+        let model = toy(product, true, "xh_step:30");
+        // The long side at pixel 5, cut by a scissor that ends at pixel 3: the distance is 2.
+        let mut words = upright(5 << 16, 1 << 16, [0, 4], false, [0; 4]);
+        words[12] = 3 << 2;
+        let z_dx = words.len() - 3;
+        words[z_dx] = 1 << 31;
+        let got: Vec<(i64, i64)> = records(&model, &words)
+            .into_iter()
+            .filter(|(kind, _)| *kind == 1)
+            .map(|(_, values)| (values[0], values[6]))
+            .collect();
+        let far = (1 << 18) - 1;
+        // A product that wraps is -2^32, which is 0: z begins at 5 there.
+        let expected = if product == "resize" { [far, 5, far] } else { [5, far, 5] };
+        assert_eq!(got, [3, 2, 1].into_iter().zip(expected).collect::<Vec<_>>(), "{product}");
+    }
+}

@@ -1,6 +1,6 @@
 //! The engine `anchored` as a profile configures it.
 
-use super::{Anchor, AnchoredConfig, HalfOrder, NAME};
+use super::{Anchor, AnchoredConfig, HalfOrder, NAME, VertexSort};
 use crate::bits::Rounding;
 use crate::machine::register::engine::{Built, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
@@ -35,6 +35,12 @@ impl EngineForm for AnchoredConfig {
             (Anchor::LeftmostSorted, "leftmost-sorted", "leftmost-given"),
         ] {
             steps.add("anchor", &name, &other, |config| config.anchor = anchor);
+        }
+        for (sort, name, other) in [
+            (VertexSort::Stable, "stable", "first-match"),
+            (VertexSort::FirstMatch, "first-match", "stable"),
+        ] {
+            steps.add("sort", &name, &other, |config| config.sort = sort);
         }
         for (halves, name, other) in [
             (HalfOrder::FromAnchor, "from-anchor", "upper-first"),

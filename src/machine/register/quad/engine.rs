@@ -7,6 +7,8 @@ use crate::format::Gather;
 use crate::machine::Target;
 use crate::machine::register::Engine;
 use crate::setup::Triangle;
+use std::cmp::Ordering;
+use std::ops::Range;
 
 #[derive(Clone, Debug)]
 pub(super) struct Quads {
@@ -158,15 +160,36 @@ impl Quads {
         emit(0, &values);
     }
 
-    /// Pixels of a row, one by one.
-    fn row(&self, job: &Job, y: i64, emit: &mut dyn FnMut(usize, &[i64])) {
-        let first = job.range[0][0] - job.origin[0];
+    /// The columns of the row of quads at `y` that may hold a pixel, counted from the origin: what the edge
+    /// words of its first quad say of the whole row. They wrap, and then the row loses pixels. Clause `RG-5`.
+    fn columns(&self, job: &Job, y: i64) -> Range<i64> {
+        let quad = 2i64 << self.target.grid.sub_pixel;
+        // Quads in a distance of whole quads, which wraps as an edge word does.
+        let quads = |count: i64| self.wrap(quad * count) / quad;
+        let (mut low, mut high) = (0, i64::MAX / 4);
+        for k in 0..3 {
+            let corners = [[0, y], [1, y], [0, y + 1], [1, y + 1]].map(|at| self.at(job, k, at));
+            let most = corners.into_iter().fold(i64::MIN, i64::max);
+            // From quad to quad; the distance to the zero of this edge is cut toward zero.
+            let step = self.wrap(2 * job.step[k][0]);
+            match (most < 0, step.cmp(&0)) {
+                (true, Ordering::Greater) => low = low.max(quads(-most / step)),
+                (true, _) => return 0..0,
+                (false, Ordering::Less) => high = high.min(quads(-most / step + 1)),
+                (false, _) => {}
+            }
+        }
         let count = job.range[0][1] - job.range[0][0];
-        let mut edges: [i64; 3] = std::array::from_fn(|k| self.at(job, k, [first, y]));
-        for x in 0..count {
+        2 * low..(2 * (high + 1)).min(count)
+    }
+
+    /// Pixels of a row, one by one.
+    fn row(&self, job: &Job, y: i64, columns: Range<i64>, emit: &mut dyn FnMut(usize, &[i64])) {
+        let mut edges: [i64; 3] = std::array::from_fn(|k| self.at(job, k, [columns.start, y]));
+        for x in columns {
             if (0..3).all(|k| self.wrap(edges[k] + job.bias[k]) >= 0) {
                 let [e0, e1, e2] = edges;
-                emit(0, &[job.range[0][0] + x, job.origin[1] + y, e0, e1, e2]);
+                emit(0, &[job.origin[0] + x, job.origin[1] + y, e0, e1, e2]);
             }
             for (edge, step) in edges.iter_mut().zip(&job.step) {
                 *edge = self.wrap(edge.wrapping_add(step[0]));
@@ -178,13 +201,19 @@ impl Quads {
 impl Engine for Quads {
     fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64])) {
         let Some(job) = self.job(words) else { return };
-        let rows = job.range[1][0] - job.origin[1]..job.range[1][1] - job.origin[1];
         match (self.config.descent, self.config.emit) {
-            (None, Emit::Pixels) => rows.for_each(|y| self.row(&job, y, emit)),
-            (None, Emit::Quads) => {
-                let columns = job.range[0][0] - job.origin[0]..job.range[0][1] - job.origin[0];
-                for y in rows.step_by(2) {
-                    columns.clone().step_by(2).for_each(|x| self.quad(&job, [x, y], emit));
+            // Without a descent the range begins at the origin.
+            (None, kind) => {
+                let count = job.range[1][1] - job.range[1][0];
+                for y in (0..count).step_by(2) {
+                    let columns = self.columns(&job, y);
+                    match kind {
+                        Emit::Pixels => (y..count.min(y + 2))
+                            .for_each(|y| self.row(&job, y, columns.clone(), emit)),
+                        Emit::Quads => {
+                            columns.step_by(2).for_each(|x| self.quad(&job, [x, y], emit));
+                        }
+                    }
                 }
             }
             (Some(descent), kind) => {

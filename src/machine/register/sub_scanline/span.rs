@@ -147,7 +147,9 @@ impl Line {
         let skipped = engine.distance((first - self.edge_x) * run);
         let mut values = self.start.clone();
         for (n, channel) in engine.channels.iter().enumerate() {
-            let moved = product(engine.config.product, held.along[n] * run, skipped);
+            // The sign turns within the slope's 32 bits: the lowest slope keeps it.
+            let along = channel.wrap(held.along[n] * run);
+            let moved = product(engine.config.product, along, skipped);
             values[n] = channel.wrap(values[n].wrapping_add(moved));
         }
         let mut x = first;

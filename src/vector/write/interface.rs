@@ -1,0 +1,92 @@
+//! What the generated files of a set depend on: read-out, set-up and engine, as the profile has them.
+
+use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule};
+use crate::format::Clamp;
+use crate::model::MODEL_VERSION;
+use crate::profile::Profile;
+use crate::setup::Division;
+use crate::value::{DepthConfig, StartBias};
+use crate::vector::manifest::FileEntry;
+use crate::vector::package::{
+    ClampParameters, EngineParameters, FileLayout, Interface, SetupParameters,
+};
+
+/// What the generated files of a set depend on.
+pub(super) fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
+    let clamp = match profile.depth {
+        Some(depth) => ClampParameters {
+            guard: depth.guard,
+            integer: depth.integer,
+            fraction: depth.interpolation,
+            mode: depth.clamp,
+        },
+        None => ClampParameters { guard: 0, integer: 1, fraction: 0, mode: Clamp::Wrap },
+    };
+    let files = files
+        .iter()
+        .map(|file| FileLayout {
+            name: file.name.clone(),
+            rows: file.rows,
+            columns: file.columns.clone(),
+        })
+        .collect();
+    let (setup, engine) = (setup(profile), engine(profile));
+    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, setup, engine, files }
+}
+
+/// The edge words and the depth of the profiles that the devices draw, or what keeps them from it.
+fn drawn(profile: &Profile) -> Result<(EdgeWordConfig, DepthConfig), String> {
+    let machine = profile.form.name();
+    let Some(edge) = profile.form.edge().filter(|_| profile.form.visits_the_box()) else {
+        return Err(format!("no device draws as the machine {machine}"));
+    };
+    if profile.multisample.is_some() {
+        return Err("no device takes several samples in a pixel, as [multisample] asks".to_owned());
+    }
+    let depth = profile.depth.ok_or("the devices draw depth, and the profile has none")?;
+    if depth.format.is_some() {
+        return Err("no device stores depth in another format, as [depth.format] asks".to_owned());
+    }
+    Ok((*edge, depth))
+}
+
+/// What the set-up of a set's devices is told, or why they cannot do the profile's.
+fn setup(profile: &Profile) -> Result<SetupParameters, String> {
+    let (edge, depth) = drawn(profile)?;
+    if depth.division != Division::Quotient {
+        let reason =
+            "division is not quotient: triangle_setup divides exactly, not by a reciprocal";
+        return Err(reason.to_owned());
+    }
+    let grid = profile.grid().map_err(|error| error.to_string())?;
+    let vertex = &profile.vertex;
+    Ok(SetupParameters {
+        signed: vertex.signed,
+        sub_pixel: vertex.sub_pixel,
+        sample: grid.offset,
+        shadow: edge.rule == FillRule::Shadow,
+        shift: if edge.storage == EdgeStorage::Shifted { vertex.sub_pixel } else { 0 },
+        rounding: depth.rounding,
+        half: depth.start_bias == StartBias::Half,
+    })
+}
+
+/// What the engine of a set's devices is told, or why it cannot draw the profile's set-up words. The order
+/// of visits moves no bit (clause `O-1`), but an engine with such an order answers in it.
+fn engine(profile: &Profile) -> Result<EngineParameters, String> {
+    let (_, depth) = drawn(profile)?;
+    match depth.clamp {
+        Clamp::Saturate => {
+            return Err("clamp is saturate: what a sticky accumulator holds depends on the order \
+                        of the samples, and triangle_engine has no such read-out"
+                .to_owned());
+        }
+        Clamp::Error => {
+            let reason =
+                "clamp is error: a refused triangle has no rows, and no device can refuse one";
+            return Err(reason.to_owned());
+        }
+        Clamp::Wrap | Clamp::Guard | Clamp::Sign => {}
+    }
+    Ok(EngineParameters { any_order: profile.traversal.is_some() })
+}
