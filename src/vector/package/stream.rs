@@ -190,6 +190,7 @@ impl Stream<'_> {
                 ("OUTPUTS", each(&|answer| answer.connect()).trim_end_matches([',', '\n'])),
                 ("START", &each(&|answer| answer.start())),
                 ("WATCH", &each(&|answer| answer.fill(WATCH))),
+                ("FORGET", &each(&|answer| answer.fill(FORGET))),
                 ("READY", &all("", READY)),
                 ("COMPLETE", &complete.join(" && ")),
                 ("VALID", &all(" || ", "@ANSWER@valid")),
@@ -278,14 +279,19 @@ const START: &str = "@AHEAD@        @ANSWER@ready = 1'b0;
         if ($test$plusargs(\"dump\")) @ANSWER@dump = $fopen(\"@STEM@.dut.tv\", \"w\");
 ";
 
-const WATCH: &str = "        if (@ANSWER@held && (!@ANSWER@valid || @ANSWER@now !== @ANSWER@kept))
-            unstable(\"@STEM@\", @ANSWER@file.line + 1);
-        @ANSWER@held = @ANSWER@valid && !@ANSWER@ready;
-        if (@ANSWER@held) @ANSWER@kept = @ANSWER@now;
-        if (@ANSWER@valid === 1'b1 && @ANSWER@ready) @ANSWER@compare;
+const WATCH: &str =
+    "                if (@ANSWER@held && (!@ANSWER@valid || @ANSWER@now !== @ANSWER@kept))
+                    unstable(\"@STEM@\", @ANSWER@file.line + 1);
+                @ANSWER@held = @ANSWER@valid && !@ANSWER@ready;
+                if (@ANSWER@held) @ANSWER@kept = @ANSWER@now;
+                if (@ANSWER@valid === 1'b1 && @ANSWER@ready) @ANSWER@compare;
 ";
 
-const READY: &str = "        @ANSWER@ready = !stalls;
+/// What a reset makes the bench forget.
+const FORGET: &str = "                @ANSWER@held = 1'b0;
+";
+
+const READY: &str = "        @ANSWER@ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
 ";
 
