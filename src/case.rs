@@ -1,4 +1,4 @@
-//! Test stimulus, determined by (seed, class, index). Spec clauses `X-1` to `X-4`.
+//! Test stimulus, determined by (seed, class, index). Spec clauses `X-1` to `X-5`.
 //!
 //! Counter-based: every word is a pure function of its key, so any case can be drawn alone, in any
 //! order, on any number of threads, and an implementation in another language has four lines.

@@ -61,6 +61,10 @@ fn main() {
             "z3_reads_the_file_and_refutes_a_spoiled_one",
             prover::z3_reads_the_file_and_refutes_a_spoiled_one,
         ),
+        Z3.trial(
+            "z3_finds_no_way_to_unreachable_cells",
+            prover::z3_finds_no_way_to_unreachable_cells,
+        ),
         GAPPA.trial("gappa_agrees_with_every_claim", prover::gappa_agrees_with_every_claim),
         GAPPA.trial(
             "gappa_reads_the_file_and_refuses_a_spoiled_one",

@@ -13,6 +13,7 @@ mod claims;
 mod cli;
 mod command;
 mod compare;
+mod coverage;
 mod explore;
 mod explore_page;
 mod fit;

@@ -136,3 +136,91 @@ pub(crate) fn gappa_reads_the_file_and_refuses_a_spoiled_one(gappa: &str) {
         assert!(found.iter().any(|text| ran.err.contains(text)), "{question}: {}", ran.err);
     }
 }
+
+/// Cells that a set calls unreachable, asked of z3 from the manifest alone: the numbers of the profile
+/// go in, the bound of the text does not.
+pub(crate) fn z3_finds_no_way_to_unreachable_cells(_: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let tiles = run_in(home.path(), "profile show sgi-4k --machine tiles").ends(0).out;
+    fs::write(home.path().join("tiles.toml"), tiles).unwrap();
+    let fine = run_in(home.path(), "profile show tiny").ends(0).out;
+    fs::write(
+        home.path().join("fine.toml"),
+        fine.replace("interpolation = 3", "interpolation = 6"),
+    )
+    .unwrap();
+    let mut asked = std::collections::BTreeSet::new();
+    for set in ["sgi-4k", "tiles.toml", "fine.toml"] {
+        run_in(home.path(), &format!("vectors {set} --out set --force --size smoke")).ends(0);
+        let text = fs::read_to_string(home.path().join("set/manifest.json")).unwrap();
+        let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
+        for entry in manifest["coverage"].as_array().unwrap() {
+            for cell in entry["unreachable"].as_array().unwrap() {
+                let name = cell["cell"].as_str().unwrap();
+                let clause = cell["clause"].as_str().unwrap();
+                let question = question(&manifest["profile"], clause, name);
+                // One question for all octants and quotients.
+                if asked.insert(question.clone()) {
+                    let ran = ask(home.path(), "z3", &question, Duration::from_secs(60));
+                    assert_eq!(ran.out.trim(), "unsat", "{set} {name}: {question}");
+                }
+            }
+        }
+    }
+    assert!(asked.len() >= 6, "{asked:#?}");
+}
+
+/// Whether a cell can be hit, for z3.
+fn question(profile: &serde_json::Value, clause: &str, cell: &str) -> String {
+    let number = |path: &str| -> i128 {
+        profile.pointer(path).and_then(serde_json::Value::as_i64).unwrap_or_default().into()
+    };
+    let (width, height) = (number("/window/width"), number("/window/height"));
+    let (sub_pixel, fraction) = (number("/vertex/sub-pixel"), number("/depth/interpolation"));
+    // The fields of these profiles have no sign, and a closed end.
+    let high = 1i128 << (number("/vertex/integer") + sub_pixel);
+    let assert = match clause {
+        "T-1" => {
+            let (side, beyond) = match cell {
+                "beyond.right" => (width, true),
+                "beyond.bottom" => (height, true),
+                _ => (0, false),
+            };
+            let side = side << sub_pixel;
+            let reach = if beyond { format!("(> v {side})") } else { "(< v 0)".to_owned() };
+            format!("(declare-const v Int) (assert (and (<= 0 v {high}) {reach}))")
+        }
+        "B-5" => {
+            let (top, unit) = (1i128 << number("/depth/integer"), 1i128 << fraction);
+            let reach = if cell.contains(".above.") {
+                format!("(>= v {})", top * unit)
+            } else {
+                format!("(<= v (/ (- {unit}) 2.0))")
+            };
+            format!(
+                "(declare-const z Real) (declare-const x Real) (declare-const y Real) (declare-const v Real)
+                 (declare-const e0 Real) (declare-const ex Real) (declare-const ey Real)
+                 (assert (and (<= 0 z {}) (<= 0 x {}) (<= 0 y {})))
+                 (assert (and (<= -0.5 e0 0.5) (<= -0.5 ex 0.5) (<= -0.5 ey 0.5)))
+                 (assert (= v (+ (* z {unit}) e0 (* x ex) (* y ey))))
+                 (assert {reach})",
+                top - 1,
+                width - 1,
+                height - 1
+            )
+        }
+        "P-3" => {
+            let scale = if cell.contains("depth_init") { fraction } else { fraction + sub_pixel };
+            // Twice the numerator, scaled, is an odd number of divisors: in 32 bits nothing wraps.
+            let most = high * high;
+            format!(
+                "(declare-const n (_ BitVec 32)) (declare-const d (_ BitVec 32)) (declare-const q (_ BitVec 32))
+                 (assert (and (bvuge d #x00000001) (bvule d (_ bv{most} 32)) (bvule n (_ bv4096 32)) (bvule q (_ bv65536 32))))
+                 (assert (= (bvshl n (_ bv{} 32)) (bvmul (bvadd (bvshl q #x00000001) #x00000001) d)))",
+                scale + 1
+            )
+        }
+        other => panic!("no question for clause {other}: {cell}"),
+    };
+    format!("{assert}\n(check-sat)\n")
+}
