@@ -17,6 +17,8 @@ pub(crate) mod sample;
 mod settle;
 #[path = "blind/source.rs"]
 mod source;
+#[path = "blind/textbook.rs"]
+pub(crate) mod textbook;
 
 use crate::run::run_in;
 use crate::set::{limited, run};
@@ -96,7 +98,12 @@ fn reports(home: &Path, set: &Path) -> Vec<Report> {
     let mut reports = Vec::new();
     for file in ["dda", "edge", "setup", "span", "depth", "triangle"] {
         let dump = home.join(format!("{file}.exp.dut.tv"));
-        if dump.metadata().map_or(0, |meta| meta.len()) == 0 {
+        let length = |path: &Path| path.metadata().map_or(0, |meta| meta.len());
+        if length(&dump) == 0 {
+            // A device that answers nothing where the set has rows, and so has no cause.
+            if dump.exists() && length(&set.join(format!("{file}.exp.tv"))) > 0 {
+                reports.push(Report::read(file, "no row"));
+            }
             continue;
         }
         // A simulation that was ended leaves half a row.
@@ -294,14 +301,14 @@ fn judge(fates: &[Fate]) {
     );
     let single = count(&|fate| fate.reports.iter().any(|report| report.causes.len() == 1));
     let several = count(&|fate| fate.reports.iter().any(|report| report.causes.len() > 1));
-    let [confirmed, wrong] =
-        [Trust::Confirmed, Trust::Wrong].map(|trust| count(&|fate| fate.trust == trust));
+    let [confirmed, doubtful, wrong] = [Trust::Confirmed, Trust::Doubtful, Trust::Wrong]
+        .map(|trust| count(&|fate| fate.trust == trust));
     let placed = count(&|fate| fate.placed);
     eprintln!(
         "killed {killed}; survivors: {equivalent} equivalent, {different} different, {open} open"
     );
     eprintln!(
-        "of those killed: a single cause for {single} ({confirmed} confirmed, {wrong} wrong), \
+        "of those killed: a single cause for {single} ({confirmed} confirmed, {doubtful} doubtful, {wrong} wrong), \
          several for {several}, {placed} placed"
     );
     for fate in fates {
@@ -312,10 +319,10 @@ fn judge(fates: &[Fate]) {
                     fate.id, fate.settled, fate.what, fate.before, fate.after
                 );
             }
-            (_, Trust::Wrong) => {
+            (_, Trust::Wrong | Trust::Doubtful) => {
                 let causes: Vec<&String> =
                     fate.reports.iter().flat_map(|report| &report.causes).collect();
-                eprintln!("{} wrong cause: {}: {causes:?}", fate.id, fate.what);
+                eprintln!("{} {:?}: {}: {causes:?}", fate.id, fate.trust, fate.what);
             }
             _ => {}
         }

@@ -66,19 +66,28 @@ pub(super) enum Trust {
     Open,
     /// The cause explains the second dump, too.
     Confirmed,
+    /// It explains both dumps of this file, and not those of another file that the same device wrote.
+    Doubtful,
     /// The second dump differs, and the cause does not explain it.
     Wrong,
 }
 
-/// Holds single causes of the first set's dumps against the dumps of the second.
+/// The files that one device answers.
+const ENGINE: [&str; 3] = ["span", "depth", "triangle"];
+
+/// Holds single causes of the first set's dumps against the dumps of the second, and those of an
+/// engine's files against each other.
 pub(super) fn trust(first: &[Report], second: &[Report]) -> Trust {
-    let verdicts =
-        first.iter().filter(|report| report.causes.len() == 1).map(|report| {
-            match second.iter().find(|other| other.file == report.file) {
-                None => Trust::Open,
-                Some(other) if other.causes.contains(&report.causes[0]) => Trust::Confirmed,
-                Some(_) => Trust::Wrong,
-            }
-        });
+    let engine = |report: &Report| ENGINE.contains(&&*report.file);
+    let verdicts = first.iter().filter(|report| report.causes.len() == 1).map(|report| {
+        let explains = |other: &Report| other.causes.contains(&report.causes[0]);
+        let beside = |other: &&Report| engine(report) && engine(other);
+        match second.iter().find(|other| other.file == report.file) {
+            None => Trust::Open,
+            Some(other) if !explains(other) => Trust::Wrong,
+            Some(_) if first.iter().filter(beside).all(explains) => Trust::Confirmed,
+            Some(_) => Trust::Doubtful,
+        }
+    });
     verdicts.max().unwrap_or(Trust::None)
 }
