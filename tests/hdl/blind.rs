@@ -304,8 +304,10 @@ fn judge(fates: &[Fate]) {
     let [confirmed, doubtful, wrong] = [Trust::Confirmed, Trust::Doubtful, Trust::Wrong]
         .map(|trust| count(&|fate| fate.trust == trust));
     let placed = count(&|fate| fate.placed);
+    let real = killed + different + open;
     eprintln!(
-        "killed {killed}; survivors: {equivalent} equivalent, {different} different, {open} open"
+        "killed {killed} of {real} that are not proved equivalent; survivors: {equivalent} \
+         equivalent, {different} different, {open} open"
     );
     eprintln!(
         "of those killed: a single cause for {single} ({confirmed} confirmed, {doubtful} doubtful, {wrong} wrong), \
