@@ -30,6 +30,10 @@ module setup_divider #(
     wire [DW:0] shifted = {r[DW-1:0], q[NW-1]};
     wire fits = shifted >= {1'b0, d};
 
+    function automatic logic [NW-1:0] magnitude(input logic [NW-1:0] signed_word);
+        magnitude = signed_word[NW-1] ? -signed_word : signed_word;
+    endfunction
+
     always_ff @(posedge clk)
         if (rst) begin
             left <= '0;
@@ -38,12 +42,6 @@ module setup_divider #(
             d <= '0;
             negative <= 1'b0;
         end
-        else if (left != 0 && SERIAL == 0) begin
-            // As the steps below leave them, a divisor of zero apart: nobody reads that quotient.
-            q <= d == 0 ? '1 : NW'(W'(q) / W'(d));
-            r <= d == 0 ? '0 : (DW+1)'(W'(q) % W'(d));
-            left <= '0;
-        end
         else if (left != 0) begin
             q <= {q[NW-2:0], fits};
             r <= fits ? shifted - {1'b0, d} : shifted;
@@ -51,10 +49,17 @@ module setup_divider #(
         end
         else if (start) begin
             negative <= numerator[NW-1];
-            q <= numerator[NW-1] ? -numerator : numerator;
-            r <= '0;
             d <= divisor;
-            left <= ($clog2(NW+1))'(NW);
+            if (SERIAL == 0) begin
+                // As the steps leave them, a divisor of zero apart: nobody reads that quotient.
+                q <= divisor == 0 ? '1 : NW'(W'(magnitude(numerator)) / W'(divisor));
+                r <= divisor == 0 ? '0 : (DW+1)'(W'(magnitude(numerator)) % W'(divisor));
+            end
+            else begin
+                q <= magnitude(numerator);
+                r <= '0;
+                left <= ($clog2(NW+1))'(NW);
+            end
         end
 
     assign busy = left != 0;

@@ -72,6 +72,7 @@ fn main() {
         ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
         settler().trial("the_mutation_recipe_says_what_is_missing", recipe::says_what_is_missing),
         settler().soak_trial("the_mutation_recipe_scores_our_devices", recipe::scores_our_devices),
+        ICARUS.trial("mutants_are_the_textbooks", blind::textbook::mutants_of_a_small_module),
         settler().soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();

@@ -149,6 +149,13 @@ struct Judged {
     report: DumpReport,
 }
 
+impl Judged {
+    /// Whether it has no row where the set has some.
+    fn is_empty(&self) -> bool {
+        self.report.rows == 0 && self.report.expected_rows > 0
+    }
+}
+
 /// Compares a dump with the file of the set that it answers.
 ///
 /// `file` names it where the dump's own name does not; `most` bounds the mismatches kept.
@@ -162,6 +169,9 @@ pub fn compare(
     most: usize,
 ) -> Result<DumpReport, CompareError> {
     let mut judged = vec![judge(set, dump, file, most)?];
+    if judged[0].is_empty() {
+        return Err(DumpError::Empty { path: dump.display().to_string() }.into());
+    }
     diagnose(&mut judged);
     Ok(judged.remove(0).report)
 }
@@ -179,6 +189,13 @@ pub fn compare_all(
 ) -> Result<Vec<DumpReport>, CompareError> {
     let judged = dumps.iter().map(|dump| judge(set, dump, None, most));
     let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
+    // No row says something where another file of the same device has some.
+    let told: Vec<&str> = judged.iter().filter(|j| !j.is_empty()).map(|j| j.subject.bench.name()).collect();
+    for (n, empty) in judged.iter().enumerate().rev() {
+        if empty.is_empty() && !told.contains(&empty.subject.bench.name()) {
+            return Err(DumpError::Empty { path: dumps[n].display().to_string() }.into());
+        }
+    }
     diagnose(&mut judged);
     let compared: Vec<String> = judged.iter().map(|judged| judged.report.file.clone()).collect();
     let reports = judged.into_iter().map(|judged| {
@@ -200,9 +217,6 @@ fn judge(
     let dump = Dump::read(path, &subject.spec.columns)
         .map_err(|error| origin::of_error(error, path, &subject, &all))?;
     let mut report = compare::against(&subject, &dump, most);
-    if report.rows == 0 && report.expected_rows > 0 {
-        return Err(DumpError::Empty { path: path.display().to_string() }.into());
-    }
     report.file = format!("{}.tv", subject.spec.stem);
     report.assumed = dump.assumed().to_vec();
     let answers = subject.bench.files().into_iter().filter(|spec| spec.stem.contains(".exp"));

@@ -114,6 +114,10 @@ module setup_divider #(
     wire [DW:0] shifted = {r[DW-1:0], q[NW-1]};
     wire fits = shifted >= {1'b0, d};
 
+    function automatic logic [NW-1:0] magnitude(input logic [NW-1:0] signed_word);
+        magnitude = signed_word[NW-1] ? -signed_word : signed_word;
+    endfunction
+
     always_ff @(posedge clk)
         if (rst) begin
             left <= '0;
@@ -122,12 +126,6 @@ module setup_divider #(
             d <= '0;
             negative <= 1'b0;
         end
-        else if (left != 0 && SERIAL == 0) begin
-            // As the steps below leave them, a divisor of zero apart: nobody reads that quotient.
-            q <= d == 0 ? '1 : NW'(W'(q) / W'(d));
-            r <= d == 0 ? '0 : (DW+1)'(W'(q) % W'(d));
-            left <= '0;
-        end
         else if (left != 0) begin
             q <= {q[NW-2:0], fits};
             r <= fits ? shifted - {1'b0, d} : shifted;
@@ -135,10 +133,17 @@ module setup_divider #(
         end
         else if (start) begin
             negative <= numerator[NW-1];
-            q <= numerator[NW-1] ? -numerator : numerator;
-            r <= '0;
             d <= divisor;
-            left <= ($clog2(NW+1))'(NW);
+            if (SERIAL == 0) begin
+                // As the steps leave them, a divisor of zero apart: nobody reads that quotient.
+                q <= divisor == 0 ? '1 : NW'(W'(magnitude(numerator)) / W'(divisor));
+                r <= divisor == 0 ? '0 : (DW+1)'(W'(magnitude(numerator)) % W'(divisor));
+            end
+            else begin
+                q <= magnitude(numerator);
+                r <= '0;
+                left <= ($clog2(NW+1))'(NW);
+            end
         end
 
     assign busy = left != 0;
@@ -215,24 +220,9 @@ module triangle_setup #(
     endfunction
 
     // Vertices are held while the dividers work.
-    logic signed [D-1:0] x [0:2];
-    logic signed [D-1:0] y [0:2];
-    logic signed [I:0] z [0:2];
+    logic signed [D-1:0] x0, y0, x1, y1, x2, y2;
+    logic signed [I:0] z0, z1, z2;
     logic held, going;
-
-    // Twice the area, and the order of vertices that makes it positive.
-    wire signed [D-1:0] x01 = x[1] - x[0], y01 = y[1] - y[0];
-    wire signed [D-1:0] x02 = x[2] - x[0], y02 = y[2] - y[0];
-    wire signed [P-1:0] area2 = P'(x01) * P'(y02) - P'(x02) * P'(y01);
-    wire turned = area2 < 0;
-    wire [P-1:0] area = turned ? -area2 : area2;
-    wire zero_area = area2 == 0;
-    wire signed [D-1:0] xa = x[0], ya = y[0];
-    wire signed [D-1:0] xb = turned ? x[2] : x[1], yb = turned ? y[2] : y[1];
-    wire signed [D-1:0] xc = turned ? x[1] : x[2], yc = turned ? y[1] : y[2];
-    wire signed [I:0] za = z[0];
-    wire signed [I:0] zb = turned ? z[2] : z[1];
-    wire signed [I:0] zc = turned ? z[1] : z[2];
 
     // E(p) = a x + b y + c at the sample of pixel (0, 0), less one unless the edge owns its samples.
     function automatic logic [EW-1:0] edge_value(input logic signed [D-1:0] fx, fy, tx, ty);
@@ -246,21 +236,59 @@ module triangle_setup #(
                 - (owns ? EW'(0) : EW'(1));
         end
     endfunction
-    /* verilator lint_off UNUSED */
-    wire signed [EW-1:0] e0 = edge_value(xa, ya, xb, yb);
-    wire signed [EW-1:0] e1 = edge_value(xb, yb, xc, yc);
-    wire signed [EW-1:0] e2 = edge_value(xc, yc, xa, ya);
-    /* verilator lint_on UNUSED */
     function automatic logic [M-1:0] step(input logic signed [D-1:0] to, from);
         step = (M'(to) - M'(from)) << (S - SHIFT);
     endfunction
 
-    // The plane's numerators over twice the area.
-    wire signed [I:0] zab = zb - za, zac = zc - za;
-    wire signed [D-1:0] xab = xb - xa, yab = yb - ya, xac = xc - xa, yac = yc - ya;
-    wire signed [Q-1:0] gx = Q'(zab) * Q'(yac) - Q'(zac) * Q'(yab);
-    wire signed [Q-1:0] gy = Q'(xab) * Q'(zac) - Q'(xac) * Q'(zab);
-    wire signed [Q-1:0] gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
+    logic signed [D-1:0] x01, y01, x02, y02;
+    logic signed [P-1:0] area2;
+    logic turned, zero_area;
+    logic [P-1:0] area;
+    logic signed [D-1:0] xa, ya, xb, yb, xc, yc;
+    logic signed [I:0] za, zb, zc;
+    /* verilator lint_off UNUSED */
+    logic signed [EW-1:0] e0, e1, e2;
+    /* verilator lint_on UNUSED */
+    logic signed [I:0] zab, zac;
+    logic signed [D-1:0] xab, yab, xac, yac;
+    logic signed [Q-1:0] gx, gy, gz;
+    // One process: a simulator runs it once for a triangle. As wires, each of these wide words would
+    // be worked out again for every vertex that arrives.
+    always_comb begin
+        // Twice the area, and the order of vertices that makes it positive.
+        x01 = x1 - x0;
+        y01 = y1 - y0;
+        x02 = x2 - x0;
+        y02 = y2 - y0;
+        area2 = P'(x01) * P'(y02) - P'(x02) * P'(y01);
+        turned = area2 < 0;
+        area = turned ? -area2 : area2;
+        zero_area = area2 == 0;
+        xa = x0;
+        ya = y0;
+        za = z0;
+        xb = turned ? x2 : x1;
+        yb = turned ? y2 : y1;
+        zb = turned ? z2 : z1;
+        xc = turned ? x1 : x2;
+        yc = turned ? y1 : y2;
+        zc = turned ? z1 : z2;
+        e0 = edge_value(xa, ya, xb, yb);
+        e1 = edge_value(xb, yb, xc, yc);
+        e2 = edge_value(xc, yc, xa, ya);
+
+        // The plane's numerators over twice the area.
+        xab = xb - xa;
+        yab = yb - ya;
+        zab = zb - za;
+        xac = xc - xa;
+        yac = yc - ya;
+        zac = zc - za;
+        gx = Q'(zab) * Q'(yac) - Q'(zac) * Q'(yab);
+        gy = Q'(xab) * Q'(zac) - Q'(xac) * Q'(zab);
+        gz = Q'(za) * $signed(Q'(area)) + gx * (Q'(SAMPLE_X) - Q'(xa)) + gy * (Q'(SAMPLE_Y) - Q'(ya));
+    end
+
     /* verilator lint_off UNUSED */
     wire [ZW-1:0] start;
     wire [SW-1:0] depth_dx, depth_dy;
@@ -287,15 +315,15 @@ module triangle_setup #(
         else if (!held) begin
             if (in_valid) begin
                 held <= 1'b1;
-                x[0] <= coordinate(v0_x);
-                y[0] <= coordinate(v0_y);
-                z[0] <= {1'b0, v0_z};
-                x[1] <= coordinate(v1_x);
-                y[1] <= coordinate(v1_y);
-                z[1] <= {1'b0, v1_z};
-                x[2] <= coordinate(v2_x);
-                y[2] <= coordinate(v2_y);
-                z[2] <= {1'b0, v2_z};
+                x0 <= coordinate(v0_x);
+                y0 <= coordinate(v0_y);
+                z0 <= {1'b0, v0_z};
+                x1 <= coordinate(v1_x);
+                y1 <= coordinate(v1_y);
+                z1 <= {1'b0, v1_z};
+                x2 <= coordinate(v2_x);
+                y2 <= coordinate(v2_y);
+                z2 <= {1'b0, v2_z};
             end
         end
         else if (!going)

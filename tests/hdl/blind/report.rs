@@ -74,19 +74,25 @@ pub(super) enum Trust {
     Wrong,
 }
 
+/// Files that one device answers share its diagnosis, which stands in the first that differs.
+fn device(file: &str) -> &str {
+    if ["span", "depth", "triangle"].contains(&file) { "engine" } else { file }
+}
+
 /// Holds single causes of the first set's dumps against the dumps of the second.
 pub(super) fn trust(first: &[Report], second: &[Report]) -> Trust {
-    let verdicts =
-        first.iter().filter(|report| report.causes.len() == 1).map(|report| {
-            match second.iter().find(|other| other.file == report.file) {
-                None => Trust::Open,
-                Some(other)
-                    if other.causes.iter().chain(&other.rivals).any(|c| *c == report.causes[0]) =>
-                {
-                    Trust::Confirmed
-                }
-                Some(_) => Trust::Wrong,
-            }
-        });
+    let verdicts = first.iter().filter(|report| report.causes.len() == 1).map(|report| {
+        let mut again =
+            second.iter().filter(|other| device(&other.file) == device(&report.file)).peekable();
+        if again.peek().is_none() {
+            return Trust::Open;
+        }
+        let named = again.flat_map(|other| other.causes.iter().chain(&other.rivals));
+        if named.into_iter().any(|cause| *cause == report.causes[0]) {
+            Trust::Confirmed
+        } else {
+            Trust::Wrong
+        }
+    });
     verdicts.max().unwrap_or(Trust::None)
 }
