@@ -27,8 +27,7 @@
 #define GUARDBIT_CLAMP_SATURATE 3
 #define GUARDBIT_CLAMP_MODE GUARDBIT_CLAMP_GUARD
 
-/* Set-up. */
-/* sub-pixel bits of a vertex */
+/* Set-up: sub-pixel bits of a vertex */
 #define GUARDBIT_SUB_PIXEL_BITS 1
 /* the sample in its pixel, in sub-pixels */
 #define GUARDBIT_SAMPLE_X 1

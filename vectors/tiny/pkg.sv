@@ -22,8 +22,7 @@ package guardbit_pkg;
     localparam int CLAMP_SATURATE = 3;
     localparam int CLAMP_MODE = CLAMP_GUARD;
 
-    // Set-up.
-    // sub-pixel bits of a vertex
+    // Set-up: sub-pixel bits of a vertex
     localparam int SUB_PIXEL_BITS = 1;
     // the sample in its pixel, in sub-pixels
     localparam int SAMPLE_X = 1;

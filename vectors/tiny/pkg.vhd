@@ -22,8 +22,7 @@ package guardbit_pkg is
     type clamp_t is (CLAMP_WRAP, CLAMP_GUARD, CLAMP_SIGN, CLAMP_SATURATE);
     constant CLAMP_MODE : clamp_t := CLAMP_GUARD;
 
-    -- Set-up.
-    -- sub-pixel bits of a vertex
+    -- Set-up: sub-pixel bits of a vertex
     constant SUB_PIXEL_BITS : natural := 1;
     -- the sample in its pixel, in sub-pixels
     constant SAMPLE_X : natural := 1;

@@ -4,7 +4,7 @@ use super::half::{Half, pack, parameters, text_mask};
 use super::record::{Field, Record};
 use super::rtl::{self, Source, Values};
 use super::template::fill;
-use super::{Interface, SetupParameters};
+use super::{EngineParameters, Interface, QuadParameters, SetupParameters};
 use crate::format::Role;
 
 /// A device, the file that drives it and the files that it answers.
@@ -14,15 +14,13 @@ pub(super) struct Stream<'a> {
     device: &'static str,
     /// The modules that the device is made of, itself last.
     parts: &'static [&'static Source],
-    /// What its set-up is told, where it has one.
-    setup: Option<SetupParameters>,
-    /// A column that is an edge word, and the file that has it.
-    edge: (&'a Record<'a>, &'a Field<'a>),
+    /// What its modules are told.
+    values: Values,
+    /// The parameters whose values the package has as widths of columns, and the names of these constants.
+    of_files: Vec<(&'static str, String)>,
     /// Whether answers of a test may come in any order unless the simulation asks for another.
     any_order: bool,
     cfg: &'a Record<'a>,
-    /// The column of `cfg` that has the width of the device's coordinates.
-    coordinate: &'a Field<'a>,
     answers: Vec<Answer<'a>>,
 }
 
@@ -52,39 +50,70 @@ fn names(roles: &[Role]) -> Vec<String> {
 
 /// The streams that the set has all files for, and whose device this crate has.
 pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
+    let clamp = Values::of_clamp(&interface.clamp);
+    let setup = interface.setup.as_ref().ok().and_then(|known| setup(records, &clamp, known));
+    let engine = interface.engine.as_ref().ok().and_then(|known| engine(records, &clamp, *known));
+    let quads = interface.quads.as_ref().ok().and_then(|known| quads(records, known));
+    setup.into_iter().chain(engine).chain(quads).collect()
+}
+
+/// Set-up words of edge functions and a depth plane.
+fn words() -> Vec<String> {
     let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY, Role::ZERO_AREA];
-    let edges = three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]);
-    let words = [edges, names(&plane)].concat();
+    [three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]), names(&plane)].concat()
+}
+
+/// The stream of the set-up.
+fn setup<'a>(
+    records: &'a [Record<'a>],
+    clamp: &Values,
+    known: &SetupParameters,
+) -> Option<Stream<'a>> {
     let vertices = three([Role::VERTEX_X, Role::VERTEX_Y, Role::VERTEX_Z]);
-    let test = names(&[Role::TEST]);
+    let answers = [("setup.exp", "o_", 0, words())];
+    let mut stream = stream(records, "setup", SETUP, &vertices, &answers)?;
+    stream.values = clamp.clone().and_setup(known);
+    stream.width("VW", &Role::VERTEX_X)?;
+    stream.width("M", &Role::EDGE_INIT)?;
+    let x = stream.column(&Role::VERTEX_X)?;
+    stream.of_files.push(("VS", format!("{x}_SIGNED")));
+    Some(stream)
+}
+
+/// The stream of the engine.
+fn engine<'a>(
+    records: &'a [Record<'a>],
+    clamp: &Values,
+    known: EngineParameters,
+) -> Option<Stream<'a>> {
     let sides = [Role::BOX_Y_BEGIN, Role::BOX_Y_END, Role::BOX_X_BEGIN, Role::BOX_X_END];
-    let engine_inputs = [test, words.clone(), names(&sides)].concat();
+    let inputs = [names(&[Role::TEST]), words(), names(&sides)].concat();
     let summary =
         [&[Role::TEST, Role::SPANS, Role::SAMPLES][..], &EVENTS, &[Role::ZERO_AREA]].concat();
-    let setup = interface.setup.as_ref().ok().and_then(|parameters| {
-        let device = (SETUP, Some(*parameters), false);
-        stream(
-            records,
-            ("setup", Role::VERTEX_X),
-            device,
-            &vertices,
-            &[("setup.exp", "o_", 0, words)],
-        )
-    });
-    let triangle = interface.engine.as_ref().ok().and_then(|engine| {
-        stream(
-            records,
-            ("triangle", Role::BOX_X_BEGIN),
-            (ENGINE, None, engine.any_order),
-            &engine_inputs,
-            &[
-                ("span.exp", "span_", 4, names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
-                ("depth.exp", "sample_", 3, names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
-                ("triangle.exp", "triangle_", 1, names(&summary)),
-            ],
-        )
-    });
-    setup.into_iter().chain(triangle).collect()
+    let answers = [
+        ("span.exp", "span_", 4, names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
+        ("depth.exp", "sample_", 3, names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
+        ("triangle.exp", "triangle_", 1, names(&summary)),
+    ];
+    let mut stream = stream(records, "triangle", ENGINE, &inputs, &answers)?;
+    stream.values = clamp.clone();
+    stream.any_order = known.any_order;
+    stream.width("C", &Role::BOX_X_BEGIN)?;
+    stream.width("M", &Role::EDGE_INIT)?;
+    Some(stream)
+}
+
+/// The stream of an engine of given edge functions.
+fn quads<'a>(records: &'a [Record<'a>], known: &QuadParameters) -> Option<Stream<'a>> {
+    let list = |names: &str| names.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    let inputs = list("test tile_x tile_y x_min x_max y_min y_max a0 b0 c0 a1 b1 c1 a2 b2 c2");
+    let places = (0..3).flat_map(|k| (0..4).map(move |place| format!("e{k}_{place}")));
+    let outputs = list("test x y mask").into_iter().chain(places).collect();
+    let answers = [("words-q.exp", "q_", 0, outputs)];
+    let mut stream = stream(records, "words", QUADS, &inputs, &answers)?;
+    stream.values = Values::of_quads(known);
+    stream.of_files.push(("C", "QUAD_COORDINATE_BITS".to_owned()));
+    Some(stream)
 }
 
 /// A device of `hdl` behind streams, and the modules that it is made of, itself last.
@@ -102,16 +131,17 @@ const ENGINE: Device = (
     ],
 );
 
+const QUADS: Device = ("quad_engine", &[&rtl::QUAD_ENGINE]);
+
 /// A file that a device answers: its stem, what the names of the ports begin with, how many columns are
 /// its key, its columns.
 type Wanted = (&'static str, &'static str, usize, Vec<String>);
 
-/// The stream of that name, if the set has its files with just these columns. Its `coordinate` has the
-/// width of the device's coordinates.
+/// The stream of that name, if the set has its files with just these columns.
 fn stream<'a>(
     records: &'a [Record<'a>],
-    (name, coordinate): (&'static str, Role),
-    ((device, parts), setup, any_order): (Device, Option<SetupParameters>, bool),
+    name: &'static str,
+    (device, parts): Device,
     inputs: &[String],
     answers: &[Wanted],
 ) -> Option<Stream<'a>> {
@@ -128,30 +158,44 @@ fn stream<'a>(
         Some(Answer { prefix, exp, key: *key, fields })
     });
     let answers: Vec<Answer> = answers.collect::<Option<_>>()?;
-    let coordinate = cfg.field(&coordinate.name(0))?;
-    let edge = Role::EDGE_INIT.name(0);
-    let mut files = std::iter::once(cfg).chain(answers.iter().map(|answer| answer.exp));
-    let edge = files.find_map(|record| Some((record, record.field(&edge)?)))?;
-    Some(Stream { name, device, parts, setup, edge, any_order, cfg, coordinate, answers })
+    let (values, of_files) = (Values::default(), Vec::new());
+    Some(Stream { name, device, parts, values, of_files, any_order: false, cfg, answers })
 }
 
 /// The modules of these streams' devices, without those of `halves`, which the text has already.
-pub(super) fn modules(interface: &Interface, streams: &[Stream], halves: &[Half]) -> String {
-    let values = Values::of_clamp(&interface.clamp);
+pub(super) fn modules(streams: &[Stream], halves: &[Half]) -> String {
     let have = |source: &Source| halves.iter().any(|half| half.module.file() == source.file());
     let mut text = String::new();
     for stream in streams {
-        // A vertex coordinate, or a pixel's.
-        let coordinate = stream.coordinate.column.width;
-        let values = stream.setup.iter().fold(values.clone(), Values::and_setup);
-        let values = values.and("M", stream.edge.1.column.width);
-        let values = values.and("VW", coordinate).and("C", coordinate);
         for part in stream.parts.iter().filter(|part| !have(part)) {
             text += "\n";
-            text += &part.with(&values);
+            text += &part.with(&stream.values);
         }
     }
     text
+}
+
+impl Stream<'_> {
+    /// The column of a role in the first file that has it.
+    fn field(&self, role: &Role) -> Option<(&Record<'_>, &Field<'_>)> {
+        let mut files = [self.cfg].into_iter().chain(self.answers.iter().map(|answer| answer.exp));
+        files.find_map(|record| Some((record, record.field(&role.name(0))?)))
+    }
+
+    /// What the constants of a role's column begin with.
+    fn column(&self, role: &Role) -> Option<String> {
+        let (record, field) = self.field(role)?;
+        Some(format!("{}_{}", record.constant(), field.constant()))
+    }
+
+    /// Sets a parameter to the width of a role's column.
+    fn width(&mut self, parameter: &'static str, role: &Role) -> Option<()> {
+        let width = self.field(role)?.1.column.width;
+        let constant = format!("{}_WIDTH", self.column(role)?);
+        self.values = std::mem::take(&mut self.values).and(parameter, width);
+        self.of_files.push((parameter, constant));
+        Some(())
+    }
 }
 
 impl Stream<'_> {
@@ -216,17 +260,7 @@ impl Stream<'_> {
     /// The device's parameters as the package has them.
     fn parameters(&self) -> String {
         let [.., top] = self.parts else { return String::new() };
-        let of = |record: &Record, field: &Field, what: &str| {
-            format!("{}_{}_{what}", record.constant(), field.constant())
-        };
-        let coordinate = |what| of(self.cfg, self.coordinate, what);
-        let of_files = [
-            ("VW", coordinate("WIDTH")),
-            ("C", coordinate("WIDTH")),
-            ("VS", coordinate("SIGNED")),
-            ("M", of(self.edge.0, self.edge.1, "WIDTH")),
-        ];
-        parameters(top, &of_files)
+        parameters(top, &self.of_files)
     }
 }
 
