@@ -41,9 +41,9 @@ pub use port::{Ports, SetupError};
 pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
-    Product, QuadConfig, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig, RegisterError,
-    RegisterMachine, Registers, RowOrder, SlopeConfig, SlopeEdges, SubScanlineConfig, VertexSort,
-    WordsError, columns,
+    Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig,
+    RegisterError, RegisterMachine, Registers, RowOrder, SlopeConfig, SlopeEdges,
+    SubScanlineConfig, VertexSort, WordsError, columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
 pub use state::{RasterState, Site};

@@ -61,6 +61,7 @@ fn main() {
         ICARUS.trial("parameters_come_from_the_package", foreign::parameters),
         ICARUS.trial("answers_may_come_in_any_order", foreign::order),
         ICARUS.trial("what_is_not_checked_is_named", foreign::left_out),
+        ICARUS.trial("an_engine_of_registers_passes", foreign::registers),
         VERILATOR.trial("a_dump_is_whole_when_the_bench_stops", foreign::dump_before_the_end),
         ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
         cocotb.soak_trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),

@@ -14,7 +14,7 @@ mod text;
 pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest, VertexSort};
 pub use engine::EngineConfig;
 pub use input::RegisterError;
-pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};
+pub use quad::{Descent, Emit, QuadConfig, QuadDevice, QuadEdges, QuadRule};
 pub use slope::{ClipEnds, Plane, RowOrder, SlopeConfig, SlopeEdges};
 pub use sub_scanline::{Product, SubScanlineConfig};
 pub use text::WordsError;

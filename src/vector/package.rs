@@ -80,6 +80,9 @@ pub struct EngineParameters {
     pub any_order: bool,
 }
 
+/// What draws edge functions that registers give, tile by tile, as `quad_engine` does it.
+pub type QuadParameters = crate::machine::QuadDevice;
+
 /// Everything the generated files depend on; equal interfaces give equal text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interface {
@@ -94,6 +97,8 @@ pub struct Interface {
     pub setup: Result<SetupParameters, String>,
     /// The engine, or why no device that this crate brings can do its job.
     pub engine: Result<EngineParameters, String>,
+    /// The engine of given edge functions, or why no device that this crate brings can do its job.
+    pub quads: Result<QuadParameters, String>,
     /// The data files, in the order they are described.
     pub files: Vec<FileLayout>,
 }

@@ -65,10 +65,11 @@ pub(crate) fn lint_clean(verilator: &str) {
         "triangle_engine",
         "setup_divider",
         "triangle_setup",
+        "quad_engine",
     ];
     let files: Vec<String> = files.iter().map(|name| format!("{name}.sv")).collect();
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
-    for top in ["triangle_engine", "triangle_setup"] {
+    for top in ["triangle_engine", "triangle_setup", "quad_engine"] {
         let options = ["--lint-only", "-Wall", "--top-module", top];
         assert_eq!(good(&rtl, verilator, &[&options[..], &files].concat()), "", "{top}");
     }

@@ -40,6 +40,14 @@ pub(crate) fn cocotb(_: &str) {
             .sum::<u64>();
     }
     assert!(rows >= 5000, "{rows}");
+    // A bench without a device is named, and a register-level machine has its own.
+    let (_, text) = scoreboard(&Set::new("d3d11 --count 60").folder, Some("dda"));
+    assert!(
+        text.contains("NOT CHECKED line: ") && text.contains("PASS dda not checked: line point"),
+        "{text}"
+    );
+    let (good, text) = scoreboard(&Set::new("vortex --count 60").folder, None);
+    assert!(good && text.contains("PASS quad_engine\n"), "{text}");
     // What it has to see: files that are not the manifest's, and devices that are not the set's.
     let set = Set::new("tiny --count 300");
     let short = |text: &str| text.split_inclusive('\n').take(9).collect();

@@ -27,8 +27,7 @@
 #define GUARDBIT_CLAMP_SATURATE 3
 #define GUARDBIT_CLAMP_MODE GUARDBIT_CLAMP_GUARD
 
-/* Set-up. */
-/* sub-pixel bits of a vertex */
+/* Set-up: sub-pixel bits of a vertex */
 #define GUARDBIT_SUB_PIXEL_BITS 1
 /* the sample in its pixel, in sub-pixels */
 #define GUARDBIT_SAMPLE_X 1
@@ -77,7 +76,7 @@ static inline int guardbit_word(const char **text, unsigned digits, unsigned wid
 }
 
 /* dda.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_DDA_CFG_ROWS UINT64_C(320)
+#define GUARDBIT_DDA_CFG_ROWS UINT64_C(491)
 #define GUARDBIT_DDA_CFG_LINE 9
 #define GUARDBIT_DDA_CFG_BITS 24
 /* init: signed, width 7, fraction bits 3. Accumulator that the load takes. */
@@ -114,7 +113,7 @@ static inline int guardbit_dda_cfg_parse(const char *line, struct guardbit_dda_c
 }
 
 /* dda.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_DDA_EXP_ROWS UINT64_C(2600)
+#define GUARDBIT_DDA_EXP_ROWS UINT64_C(4000)
 #define GUARDBIT_DDA_EXP_LINE 7
 #define GUARDBIT_DDA_EXP_BITS 16
 /* op: unsigned, width 2, fraction bits 0. 0 load, 1 step by dx, 2 step by dy, 3 hold. */
@@ -151,7 +150,7 @@ static inline int guardbit_dda_exp_parse(const char *line, struct guardbit_dda_e
 }
 
 /* edge.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_EDGE_CFG_ROWS UINT64_C(213)
+#define GUARDBIT_EDGE_CFG_ROWS UINT64_C(364)
 #define GUARDBIT_EDGE_CFG_LINE 9
 #define GUARDBIT_EDGE_CFG_BITS 24
 /* e0: signed, width 6, fraction bits 0. Edge word that the load takes, bias and shift done. */
@@ -188,7 +187,7 @@ static inline int guardbit_edge_cfg_parse(const char *line, struct guardbit_edge
 }
 
 /* edge.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_EDGE_EXP_ROWS UINT64_C(2600)
+#define GUARDBIT_EDGE_EXP_ROWS UINT64_C(4000)
 #define GUARDBIT_EDGE_EXP_LINE 7
 #define GUARDBIT_EDGE_EXP_BITS 16
 /* op: unsigned, width 2, fraction bits 0. 0 load, 1 step by dx, 2 step by dy, 3 hold. */
@@ -225,7 +224,7 @@ static inline int guardbit_edge_exp_parse(const char *line, struct guardbit_edge
 }
 
 /* setup.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SETUP_CFG_ROWS UINT64_C(200)
+#define GUARDBIT_SETUP_CFG_ROWS UINT64_C(712)
 #define GUARDBIT_SETUP_CFG_LINE 18
 #define GUARDBIT_SETUP_CFG_BITS 36
 /* v0_x: unsigned, width 4, fraction bits 1. Vertex 0, x in sub-pixels. */
@@ -310,7 +309,7 @@ static inline int guardbit_setup_cfg_parse(const char *line, struct guardbit_set
 }
 
 /* setup.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SETUP_EXP_ROWS UINT64_C(200)
+#define GUARDBIT_SETUP_EXP_ROWS UINT64_C(712)
 #define GUARDBIT_SETUP_EXP_LINE 38
 #define GUARDBIT_SETUP_EXP_BITS 100
 /* edge0_init: signed, width 6, fraction bits 1. Edge 0 at pixel (0, 0), biased and stored. */
@@ -427,7 +426,7 @@ static inline int guardbit_setup_exp_parse(const char *line, struct guardbit_set
 }
 
 /* triangle.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_TRIANGLE_CFG_ROWS UINT64_C(130)
+#define GUARDBIT_TRIANGLE_CFG_ROWS UINT64_C(862)
 #define GUARDBIT_TRIANGLE_CFG_LINE 71
 #define GUARDBIT_TRIANGLE_CFG_BITS 212
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -584,7 +583,7 @@ static inline int guardbit_triangle_cfg_parse(const char *line, struct guardbit_
 }
 
 /* triangle.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_TRIANGLE_EXP_ROWS UINT64_C(130)
+#define GUARDBIT_TRIANGLE_EXP_ROWS UINT64_C(862)
 #define GUARDBIT_TRIANGLE_EXP_LINE 65
 #define GUARDBIT_TRIANGLE_EXP_BITS 228
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -661,7 +660,7 @@ static inline int guardbit_triangle_exp_parse(const char *line, struct guardbit_
 }
 
 /* span.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SPAN_EXP_ROWS UINT64_C(133)
+#define GUARDBIT_SPAN_EXP_ROWS UINT64_C(1528)
 #define GUARDBIT_SPAN_EXP_LINE 27
 #define GUARDBIT_SPAN_EXP_BITS 92
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -706,7 +705,7 @@ static inline int guardbit_span_exp_parse(const char *line, struct guardbit_span
 }
 
 /* depth.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_DEPTH_EXP_ROWS UINT64_C(193)
+#define GUARDBIT_DEPTH_EXP_ROWS UINT64_C(3861)
 #define GUARDBIT_DEPTH_EXP_LINE 23
 #define GUARDBIT_DEPTH_EXP_BITS 76
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */

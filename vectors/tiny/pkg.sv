@@ -22,8 +22,7 @@ package guardbit_pkg;
     localparam int CLAMP_SATURATE = 3;
     localparam int CLAMP_MODE = CLAMP_GUARD;
 
-    // Set-up.
-    // sub-pixel bits of a vertex
+    // Set-up: sub-pixel bits of a vertex
     localparam int SUB_PIXEL_BITS = 1;
     // the sample in its pixel, in sub-pixels
     localparam int SAMPLE_X = 1;
@@ -45,7 +44,7 @@ package guardbit_pkg;
     localparam logic [1:0] OP_HOLD = 2'd3;
 
     // dda.cfg.tv
-    localparam logic [63:0] DDA_CFG_ROWS = 64'd320;
+    localparam logic [63:0] DDA_CFG_ROWS = 64'd491;
     localparam int DDA_CFG_LINE = 9;  // characters of a line with its newline
     localparam int DDA_CFG_BITS = 24;  // four a digit
     localparam logic [23:0] DDA_CFG_PADS = 24'h808080;  // zero in every record
@@ -71,7 +70,7 @@ package guardbit_pkg;
     } dda_cfg_t;
 
     // dda.exp.tv
-    localparam logic [63:0] DDA_EXP_ROWS = 64'd2600;
+    localparam logic [63:0] DDA_EXP_ROWS = 64'd4000;
     localparam int DDA_EXP_LINE = 7;  // characters of a line with its newline
     localparam int DDA_EXP_BITS = 16;  // four a digit
     localparam logic [15:0] DDA_EXP_PADS = 16'hc808;  // zero in every record
@@ -97,7 +96,7 @@ package guardbit_pkg;
     } dda_exp_t;
 
     // edge.cfg.tv
-    localparam logic [63:0] EDGE_CFG_ROWS = 64'd213;
+    localparam logic [63:0] EDGE_CFG_ROWS = 64'd364;
     localparam int EDGE_CFG_LINE = 9;  // characters of a line with its newline
     localparam int EDGE_CFG_BITS = 24;  // four a digit
     localparam logic [23:0] EDGE_CFG_PADS = 24'hc0c0c0;  // zero in every record
@@ -123,7 +122,7 @@ package guardbit_pkg;
     } edge_cfg_t;
 
     // edge.exp.tv
-    localparam logic [63:0] EDGE_EXP_ROWS = 64'd2600;
+    localparam logic [63:0] EDGE_EXP_ROWS = 64'd4000;
     localparam int EDGE_EXP_LINE = 7;  // characters of a line with its newline
     localparam int EDGE_EXP_BITS = 16;  // four a digit
     localparam logic [15:0] EDGE_EXP_PADS = 16'hcc0e;  // zero in every record
@@ -149,7 +148,7 @@ package guardbit_pkg;
     } edge_exp_t;
 
     // setup.cfg.tv
-    localparam logic [63:0] SETUP_CFG_ROWS = 64'd200;
+    localparam logic [63:0] SETUP_CFG_ROWS = 64'd712;
     localparam int SETUP_CFG_LINE = 18;  // characters of a line with its newline
     localparam int SETUP_CFG_BITS = 36;  // four a digit
     localparam logic [35:0] SETUP_CFG_PADS = 36'h008008008;  // zero in every record
@@ -205,7 +204,7 @@ package guardbit_pkg;
     } setup_cfg_t;
 
     // setup.exp.tv
-    localparam logic [63:0] SETUP_EXP_ROWS = 64'd200;
+    localparam logic [63:0] SETUP_EXP_ROWS = 64'd712;
     localparam int SETUP_EXP_LINE = 38;  // characters of a line with its newline
     localparam int SETUP_EXP_BITS = 100;  // four a digit
     localparam logic [99:0] SETUP_EXP_PADS = 100'hc0c0c0c0c0c0c0c0c0808080e;  // zero in every record
@@ -291,7 +290,7 @@ package guardbit_pkg;
     } setup_exp_t;
 
     // triangle.cfg.tv
-    localparam logic [63:0] TRIANGLE_CFG_ROWS = 64'd130;
+    localparam logic [63:0] TRIANGLE_CFG_ROWS = 64'd862;
     localparam int TRIANGLE_CFG_LINE = 71;  // characters of a line with its newline
     localparam int TRIANGLE_CFG_BITS = 212;  // four a digit
     localparam logic [211:0] TRIANGLE_CFG_PADS = 212'h00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000;  // zero in every record
@@ -406,7 +405,7 @@ package guardbit_pkg;
     } triangle_cfg_t;
 
     // triangle.exp.tv
-    localparam logic [63:0] TRIANGLE_EXP_ROWS = 64'd130;
+    localparam logic [63:0] TRIANGLE_EXP_ROWS = 64'd862;
     localparam int TRIANGLE_EXP_LINE = 65;  // characters of a line with its newline
     localparam int TRIANGLE_EXP_BITS = 228;  // four a digit
     localparam logic [227:0] TRIANGLE_EXP_PADS = 228'h00000000000000000000000000000000000000000000000000000000e;  // zero in every record
@@ -455,7 +454,7 @@ package guardbit_pkg;
     } triangle_exp_t;
 
     // span.exp.tv
-    localparam logic [63:0] SPAN_EXP_ROWS = 64'd133;
+    localparam logic [63:0] SPAN_EXP_ROWS = 64'd1528;
     localparam int SPAN_EXP_LINE = 27;  // characters of a line with its newline
     localparam int SPAN_EXP_BITS = 92;  // four a digit
     localparam logic [91:0] SPAN_EXP_PADS = 92'h00000000e0000e0000e0000;  // zero in every record
@@ -486,7 +485,7 @@ package guardbit_pkg;
     } span_exp_t;
 
     // depth.exp.tv
-    localparam logic [63:0] DEPTH_EXP_ROWS = 64'd193;
+    localparam logic [63:0] DEPTH_EXP_ROWS = 64'd3861;
     localparam int DEPTH_EXP_LINE = 23;  // characters of a line with its newline
     localparam int DEPTH_EXP_BITS = 76;  // four a digit
     localparam logic [75:0] DEPTH_EXP_PADS = 76'h00000000e0000e00008;  // zero in every record

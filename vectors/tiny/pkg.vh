@@ -24,8 +24,7 @@
 `define GUARDBIT_CLAMP_SATURATE 3
 `define GUARDBIT_CLAMP_MODE `GUARDBIT_CLAMP_GUARD
 
-// Set-up.
-// sub-pixel bits of a vertex
+// Set-up: sub-pixel bits of a vertex
 `define GUARDBIT_SUB_PIXEL_BITS 1
 // the sample in its pixel, in sub-pixels
 `define GUARDBIT_SAMPLE_X 1
@@ -47,7 +46,7 @@
 `define GUARDBIT_OP_HOLD 2'd3
 
 // dda.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_DDA_CFG_ROWS 64'd320
+`define GUARDBIT_DDA_CFG_ROWS 64'd491
 `define GUARDBIT_DDA_CFG_LINE 9
 `define GUARDBIT_DDA_CFG_BITS 24
 `define GUARDBIT_DDA_CFG_PADS 24'h808080
@@ -74,7 +73,7 @@
 `define GUARDBIT_DDA_CFG_DY(row) row[6:0]
 
 // dda.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_DDA_EXP_ROWS 64'd2600
+`define GUARDBIT_DDA_EXP_ROWS 64'd4000
 `define GUARDBIT_DDA_EXP_LINE 7
 `define GUARDBIT_DDA_EXP_BITS 16
 `define GUARDBIT_DDA_EXP_PADS 16'hc808
@@ -101,7 +100,7 @@
 `define GUARDBIT_DDA_EXP_OUT_V(row) row[2:0]
 
 // edge.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_EDGE_CFG_ROWS 64'd213
+`define GUARDBIT_EDGE_CFG_ROWS 64'd364
 `define GUARDBIT_EDGE_CFG_LINE 9
 `define GUARDBIT_EDGE_CFG_BITS 24
 `define GUARDBIT_EDGE_CFG_PADS 24'hc0c0c0
@@ -128,7 +127,7 @@
 `define GUARDBIT_EDGE_CFG_EB(row) row[5:0]
 
 // edge.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_EDGE_EXP_ROWS 64'd2600
+`define GUARDBIT_EDGE_EXP_ROWS 64'd4000
 `define GUARDBIT_EDGE_EXP_LINE 7
 `define GUARDBIT_EDGE_EXP_BITS 16
 `define GUARDBIT_EDGE_EXP_PADS 16'hcc0e
@@ -155,7 +154,7 @@
 `define GUARDBIT_EDGE_EXP_IN_V(row) row[0:0]
 
 // setup.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SETUP_CFG_ROWS 64'd200
+`define GUARDBIT_SETUP_CFG_ROWS 64'd712
 `define GUARDBIT_SETUP_CFG_LINE 18
 `define GUARDBIT_SETUP_CFG_BITS 36
 `define GUARDBIT_SETUP_CFG_PADS 36'h008008008
@@ -224,7 +223,7 @@
 `define GUARDBIT_SETUP_CFG_V2_Z(row) row[2:0]
 
 // setup.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SETUP_EXP_ROWS 64'd200
+`define GUARDBIT_SETUP_EXP_ROWS 64'd712
 `define GUARDBIT_SETUP_EXP_LINE 38
 `define GUARDBIT_SETUP_EXP_BITS 100
 `define GUARDBIT_SETUP_EXP_PADS 100'hc0c0c0c0c0c0c0c0c0808080e
@@ -321,7 +320,7 @@
 `define GUARDBIT_SETUP_EXP_ZERO_AREA(row) row[0:0]
 
 // triangle.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_TRIANGLE_CFG_ROWS 64'd130
+`define GUARDBIT_TRIANGLE_CFG_ROWS 64'd862
 `define GUARDBIT_TRIANGLE_CFG_LINE 71
 `define GUARDBIT_TRIANGLE_CFG_BITS 212
 `define GUARDBIT_TRIANGLE_CFG_PADS 212'h00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000
@@ -453,7 +452,7 @@
 `define GUARDBIT_TRIANGLE_CFG_BOX_X_END(row) row[16:0]
 
 // triangle.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_TRIANGLE_EXP_ROWS 64'd130
+`define GUARDBIT_TRIANGLE_EXP_ROWS 64'd862
 `define GUARDBIT_TRIANGLE_EXP_LINE 65
 `define GUARDBIT_TRIANGLE_EXP_BITS 228
 `define GUARDBIT_TRIANGLE_EXP_PADS 228'h00000000000000000000000000000000000000000000000000000000e
@@ -515,7 +514,7 @@
 `define GUARDBIT_TRIANGLE_EXP_ZERO_AREA(row) row[0:0]
 
 // span.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SPAN_EXP_ROWS 64'd133
+`define GUARDBIT_SPAN_EXP_ROWS 64'd1528
 `define GUARDBIT_SPAN_EXP_LINE 27
 `define GUARDBIT_SPAN_EXP_BITS 92
 `define GUARDBIT_SPAN_EXP_PADS 92'h00000000e0000e0000e0000
@@ -549,7 +548,7 @@
 `define GUARDBIT_SPAN_EXP_X_END(row) row[16:0]
 
 // depth.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_DEPTH_EXP_ROWS 64'd193
+`define GUARDBIT_DEPTH_EXP_ROWS 64'd3861
 `define GUARDBIT_DEPTH_EXP_LINE 23
 `define GUARDBIT_DEPTH_EXP_BITS 76
 `define GUARDBIT_DEPTH_EXP_PADS 76'h00000000e0000e00008

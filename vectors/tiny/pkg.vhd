@@ -22,8 +22,7 @@ package guardbit_pkg is
     type clamp_t is (CLAMP_WRAP, CLAMP_GUARD, CLAMP_SIGN, CLAMP_SATURATE);
     constant CLAMP_MODE : clamp_t := CLAMP_GUARD;
 
-    -- Set-up.
-    -- sub-pixel bits of a vertex
+    -- Set-up: sub-pixel bits of a vertex
     constant SUB_PIXEL_BITS : natural := 1;
     -- the sample in its pixel, in sub-pixels
     constant SAMPLE_X : natural := 1;
@@ -45,7 +44,7 @@ package guardbit_pkg is
     constant OP_HOLD : std_logic_vector(1 downto 0) := "11";
 
     -- dda.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant DDA_CFG_ROWS : unsigned(63 downto 0) := x"0000000000000140";  -- 320
+    constant DDA_CFG_ROWS : unsigned(63 downto 0) := x"00000000000001eb";  -- 491
     constant DDA_CFG_LINE : positive := 8;
     constant DDA_CFG_BITS : positive := 24;
     constant DDA_CFG_PADS : std_logic_vector(23 downto 0) := x"808080";
@@ -69,7 +68,7 @@ package guardbit_pkg is
     function to_dda_cfg(bits : std_logic_vector) return dda_cfg_t;
 
     -- dda.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant DDA_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000a28";  -- 2600
+    constant DDA_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000fa0";  -- 4000
     constant DDA_EXP_LINE : positive := 6;
     constant DDA_EXP_BITS : positive := 16;
     constant DDA_EXP_PADS : std_logic_vector(15 downto 0) := x"c808";
@@ -93,7 +92,7 @@ package guardbit_pkg is
     function to_dda_exp(bits : std_logic_vector) return dda_exp_t;
 
     -- edge.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant EDGE_CFG_ROWS : unsigned(63 downto 0) := x"00000000000000d5";  -- 213
+    constant EDGE_CFG_ROWS : unsigned(63 downto 0) := x"000000000000016c";  -- 364
     constant EDGE_CFG_LINE : positive := 8;
     constant EDGE_CFG_BITS : positive := 24;
     constant EDGE_CFG_PADS : std_logic_vector(23 downto 0) := x"c0c0c0";
@@ -117,7 +116,7 @@ package guardbit_pkg is
     function to_edge_cfg(bits : std_logic_vector) return edge_cfg_t;
 
     -- edge.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant EDGE_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000a28";  -- 2600
+    constant EDGE_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000fa0";  -- 4000
     constant EDGE_EXP_LINE : positive := 6;
     constant EDGE_EXP_BITS : positive := 16;
     constant EDGE_EXP_PADS : std_logic_vector(15 downto 0) := x"cc0e";
@@ -141,7 +140,7 @@ package guardbit_pkg is
     function to_edge_exp(bits : std_logic_vector) return edge_exp_t;
 
     -- setup.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant SETUP_CFG_ROWS : unsigned(63 downto 0) := x"00000000000000c8";  -- 200
+    constant SETUP_CFG_ROWS : unsigned(63 downto 0) := x"00000000000002c8";  -- 712
     constant SETUP_CFG_LINE : positive := 17;
     constant SETUP_CFG_BITS : positive := 36;
     constant SETUP_CFG_PADS : std_logic_vector(35 downto 0) := x"008008008";
@@ -195,7 +194,7 @@ package guardbit_pkg is
     function to_setup_cfg(bits : std_logic_vector) return setup_cfg_t;
 
     -- setup.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant SETUP_EXP_ROWS : unsigned(63 downto 0) := x"00000000000000c8";  -- 200
+    constant SETUP_EXP_ROWS : unsigned(63 downto 0) := x"00000000000002c8";  -- 712
     constant SETUP_EXP_LINE : positive := 37;
     constant SETUP_EXP_BITS : positive := 100;
     constant SETUP_EXP_PADS : std_logic_vector(99 downto 0) := x"c0c0c0c0c0c0c0c0c0808080e";
@@ -269,7 +268,7 @@ package guardbit_pkg is
     function to_setup_exp(bits : std_logic_vector) return setup_exp_t;
 
     -- triangle.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant TRIANGLE_CFG_ROWS : unsigned(63 downto 0) := x"0000000000000082";  -- 130
+    constant TRIANGLE_CFG_ROWS : unsigned(63 downto 0) := x"000000000000035e";  -- 862
     constant TRIANGLE_CFG_LINE : positive := 70;
     constant TRIANGLE_CFG_BITS : positive := 212;
     constant TRIANGLE_CFG_PADS : std_logic_vector(211 downto 0) := x"00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000";
@@ -368,7 +367,7 @@ package guardbit_pkg is
     function to_triangle_cfg(bits : std_logic_vector) return triangle_cfg_t;
 
     -- triangle.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant TRIANGLE_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000082";  -- 130
+    constant TRIANGLE_EXP_ROWS : unsigned(63 downto 0) := x"000000000000035e";  -- 862
     constant TRIANGLE_EXP_LINE : positive := 64;
     constant TRIANGLE_EXP_BITS : positive := 228;
     constant TRIANGLE_EXP_PADS : std_logic_vector(227 downto 0) := x"00000000000000000000000000000000000000000000000000000000e";
@@ -417,7 +416,7 @@ package guardbit_pkg is
     function to_triangle_exp(bits : std_logic_vector) return triangle_exp_t;
 
     -- span.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant SPAN_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000085";  -- 133
+    constant SPAN_EXP_ROWS : unsigned(63 downto 0) := x"00000000000005f8";  -- 1528
     constant SPAN_EXP_LINE : positive := 26;
     constant SPAN_EXP_BITS : positive := 92;
     constant SPAN_EXP_PADS : std_logic_vector(91 downto 0) := x"00000000e0000e0000e0000";
@@ -446,7 +445,7 @@ package guardbit_pkg is
     function to_span_exp(bits : std_logic_vector) return span_exp_t;
 
     -- depth.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant DEPTH_EXP_ROWS : unsigned(63 downto 0) := x"00000000000000c1";  -- 193
+    constant DEPTH_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000f15";  -- 3861
     constant DEPTH_EXP_LINE : positive := 22;
     constant DEPTH_EXP_BITS : positive := 76;
     constant DEPTH_EXP_PADS : std_logic_vector(75 downto 0) := x"00000000e0000e00008";

@@ -150,6 +150,11 @@ module dda_check (
     reg [1:0] was_op;
     longint unsigned was_walk, was_row, was_line;
 
+    // One walk in 64 begins with a reset in the middle of a step, which leaves zero behind. Not with
+    // +no-reset, nor where answers take their time or have a valid.
+    reg resets;
+    reg restarting;
+
     reg rst;
     reg [1:0] op;
     reg [6:0] init, dx, dy;
@@ -200,19 +205,45 @@ module dda_check (
             $display("FAIL +latency=%0d: 0 to %0d is possible", latency, MOST - 1);
             $fatal(1, "bad latency");
         end
+        resets = !$test$plusargs("no-reset") && !$test$plusargs("vcd") && latency == 0;
+`ifdef GUARDBIT_VALID
+        resets = 1'b0;
+`endif
+        restarting = 1'b0;
         stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
         if ($test$plusargs("dump")) dump = $fopen("dda.exp.dut.tv", "w");
     end
 
+    // Compares the outputs with the oldest entry of the ring.
     task compare;
         begin
             {judged, counted, was_op, was_walk, was_row, was_line, exp_bits} = ring[tail];
             answer = exp_bits;
             tail = tail + 1;
             entries = entries - 1;
+            if (counted) open = open - 1;
+            judge;
+        end
+    endtask
+
+    // Compares the outputs with what the last rising edge was told: the ring is for late ones.
+    task compare_now;
+        begin
+            judged = pending || op == OP_HOLD && walk != 0;
+            counted = pending;
+            was_op = op;
+            was_walk = walk;
+            was_row = row;
+            was_line = exp_file.line;
+            answer = want;
+            judge;
+        end
+    endtask
+
+    task judge;
+        begin
             if (counted) begin
                 rows = rows + 1;
-                open = open - 1;
                 quiet = 0;
                 if (dump != 0) begin
                     $fdisplay(dump, "%h_%h_%h", was_op, acc, out_v);
@@ -261,6 +292,18 @@ module dda_check (
                     $fatal(1, "bad vector set");
                 end
             end
+            drive;
+            if (want.op == OP_LOAD && resets && walk[5:0] == 3) begin
+                rst = 1'b1;
+                op = OP_STEP_X;
+                pending = 1'b0;
+                restarting = 1'b1;
+            end
+        end
+    endtask
+
+    task drive;
+        begin
             op = want.op;
             init = cfg.init;
             dx = cfg.dx;
@@ -297,9 +340,28 @@ module dda_check (
                 end
             end
 `else
-            enter;
-            if (entries > latency) compare;
+            if (latency == 0) compare_now;
+            else begin
+                enter;
+                if (entries > latency) compare;
+            end
 `endif
+            if (restarting) begin
+                restarting = 1'b0;
+                if (acc !== 0) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= REPORTED)
+                        $display("MISMATCH dda walk %0d: field acc is %h after a reset, not zero", walk - 1, acc);
+                end
+                drive;
+            end
+            else begin
+                proceed;
+            end
+        end
+
+    task proceed;
+        begin
             if (pending && stall_left > 0) begin
                 pending = 1'b0;
                 op = OP_HOLD;
@@ -324,6 +386,7 @@ module dda_check (
                 end
             end
         end
+    endtask
 endmodule
 
 // Drives edge_stepper with edge.cfg.tv and compares every row of edge.exp.tv. Inputs change and
@@ -375,6 +438,11 @@ module edge_check (
     reg [1:0] was_op;
     longint unsigned was_walk, was_row, was_line;
 
+    // One walk in 64 begins with a reset in the middle of a step, which leaves zero behind. Not with
+    // +no-reset, nor where answers take their time or have a valid.
+    reg resets;
+    reg restarting;
+
     reg rst;
     reg [1:0] op;
     reg [5:0] e0, ea, eb;
@@ -425,19 +493,45 @@ module edge_check (
             $display("FAIL +latency=%0d: 0 to %0d is possible", latency, MOST - 1);
             $fatal(1, "bad latency");
         end
+        resets = !$test$plusargs("no-reset") && !$test$plusargs("vcd") && latency == 0;
+`ifdef GUARDBIT_VALID
+        resets = 1'b0;
+`endif
+        restarting = 1'b0;
         stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
         if ($test$plusargs("dump")) dump = $fopen("edge.exp.dut.tv", "w");
     end
 
+    // Compares the outputs with the oldest entry of the ring.
     task compare;
         begin
             {judged, counted, was_op, was_walk, was_row, was_line, exp_bits} = ring[tail];
             answer = exp_bits;
             tail = tail + 1;
             entries = entries - 1;
+            if (counted) open = open - 1;
+            judge;
+        end
+    endtask
+
+    // Compares the outputs with what the last rising edge was told: the ring is for late ones.
+    task compare_now;
+        begin
+            judged = pending || op == OP_HOLD && walk != 0;
+            counted = pending;
+            was_op = op;
+            was_walk = walk;
+            was_row = row;
+            was_line = exp_file.line;
+            answer = want;
+            judge;
+        end
+    endtask
+
+    task judge;
+        begin
             if (counted) begin
                 rows = rows + 1;
-                open = open - 1;
                 quiet = 0;
                 if (dump != 0) begin
                     $fdisplay(dump, "%h_%h_%h", was_op, e, in_v);
@@ -486,6 +580,18 @@ module edge_check (
                     $fatal(1, "bad vector set");
                 end
             end
+            drive;
+            if (want.op == OP_LOAD && resets && walk[5:0] == 3) begin
+                rst = 1'b1;
+                op = OP_STEP_X;
+                pending = 1'b0;
+                restarting = 1'b1;
+            end
+        end
+    endtask
+
+    task drive;
+        begin
             op = want.op;
             e0 = cfg.e0;
             ea = cfg.ea;
@@ -522,9 +628,28 @@ module edge_check (
                 end
             end
 `else
-            enter;
-            if (entries > latency) compare;
+            if (latency == 0) compare_now;
+            else begin
+                enter;
+                if (entries > latency) compare;
+            end
 `endif
+            if (restarting) begin
+                restarting = 1'b0;
+                if (e !== 0) begin
+                    mismatches = mismatches + 1;
+                    if (mismatches <= REPORTED)
+                        $display("MISMATCH edge walk %0d: field e is %h after a reset, not zero", walk - 1, e);
+                end
+                drive;
+            end
+            else begin
+                proceed;
+            end
+        end
+
+    task proceed;
+        begin
             if (pending && stall_left > 0) begin
                 pending = 1'b0;
                 op = OP_HOLD;
@@ -549,6 +674,7 @@ module edge_check (
                 end
             end
         end
+    endtask
 endmodule
 
 // Drives triangle_setup with setup.cfg.tv and compares what its streams answer. The bench stalls them in
@@ -563,6 +689,7 @@ module setup_check (
     import guardbit_pkg::*;
     localparam logic [63:0] REPORTED = 20;
     localparam integer PATIENCE = 100000;   // clocks without a transfer
+    localparam integer IDLE = 300;          // clocks after which nothing is under way
 
     line_reader #(
         .NAME("setup.cfg.tv"), .ROWS(SETUP_CFG_ROWS), .CHARS(SETUP_CFG_LINE),
@@ -580,6 +707,11 @@ module setup_check (
     integer extras;                         // answers that belong to no row
     integer beat;
     reg [15:0] noise;
+    // Before some records the device is given another, every bit of it turned, and a reset while it works
+    // on that. Nothing of it may be seen. Not with +no-reset.
+    reg cuts;
+    reg cutting;                            // the other record is in: no answer is taken
+    integer cut_left;                       // clocks until the reset
 
     // Signals carry the names of the columns, as in the waves of `guardbit trace`.
     wire [3:0] v0_x = cfg.v0_x;
@@ -803,6 +935,10 @@ module setup_check (
         beat = 0;
         noise = 16'hace1;
         cfg = 0;
+        cfg_bits = 0;
+        cuts = !$test$plusargs("no-reset") && !$test$plusargs("vcd");
+        cutting = 1'b0;
+        cut_left = 0;
         o_ready = 1'b0;
         o_held = 1'b0;
         o_dump = 0;
@@ -822,7 +958,7 @@ module setup_check (
     task extra;
         begin
             extras = extras + 1;
-            if (extras > PATIENCE / 100) begin
+            if (extras > PATIENCE) begin
                 $display("FAIL setup: %0d rows too much, %0d of %0d records taken", extras, cfg_file.line - 64'(in_valid), SETUP_CFG_ROWS);
                 $fatal(1, "the device answers without end");
             end
@@ -845,24 +981,47 @@ module setup_check (
                 taken = 1'b1;
                 quiet = 0;
             end
-        if (o_held && (!o_valid || o_now !== o_kept))
-            unstable("setup.exp", o_file.line + 1);
-        o_held = o_valid && !o_ready;
-        if (o_held) o_kept = o_now;
-        if (o_valid === 1'b1 && o_ready) o_compare;
+            if (rst) begin
+                o_held = 1'b0;
+            end
+            else begin
+                if (o_held || o_valid !== 1'b0) begin
+                    if (o_held && (!o_valid || o_now !== o_kept))
+                        unstable("setup.exp", o_file.line + 1);
+                    o_held = o_valid && !o_ready;
+                    if (o_held) o_kept = o_now;
+                    if (o_valid === 1'b1 && o_ready) o_compare;
+                end
+            end
         end
 
     always @(negedge clk)
         if (reset_left > 0)
             reset_left = reset_left - 1;
         else if (!done) begin
-            rst = 1'b0;
             beat = beat + 1;
-        o_ready = !stalls;
+            if (rst) begin
+                rst = 1'b0;
+                in_valid = cutting;
+                cfg = cfg_bits;
+                cutting = 1'b0;
+            end
+            else if (cut_left > 0) begin
+                cut_left = cut_left - 1;
+                rst = cut_left == 0;
+            end
+            else if (taken && cutting) cut_left = 1 + noise[1:0];
+        o_ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-            if (taken) in_valid = 1'b0;
+            if (taken) begin
+                // What stands at the inputs without a valid is nothing.
+                in_valid = 1'b0;
+                if (cuts) cfg = ~cfg;
+            end
             taken = 1'b0;
-            if (!in_valid && !stalls && cfg_file.line < SETUP_CFG_ROWS) begin
+            if (!in_valid && !stalls && !cutting && cfg_file.line < SETUP_CFG_ROWS
+                    && (!cuts || cfg_file.line[5:0] != 2 || quiet > IDLE)) begin
+                cutting = cuts && cfg_file.line[5:0] == 2;
                 cfg_file.next;
                 cfg_bits = {
                     cfg_file.nibbles[139:136], cfg_file.nibbles[123:120], cfg_file.nibbles[107:104], cfg_file.nibbles[91:88],
@@ -870,17 +1029,20 @@ module setup_check (
                     cfg_file.nibbles[11:8]};
                 cfg = cfg_bits;
                 if (|(cfg_bits & SETUP_CFG_PADS)) cfg_file.over_wide;
+                if (cutting) cfg = ~cfg_bits;
                 in_valid = 1'b1;
             end
             // Some clocks more show what comes too much.
-            if (cfg_file.line >= SETUP_CFG_ROWS && !in_valid && o_file.line >= SETUP_EXP_ROWS && !(o_valid) && quiet > 100) begin
-                cfg_file.last;
+            if (quiet > IDLE) begin
+                if (cfg_file.line >= SETUP_CFG_ROWS && !in_valid && !cutting && o_file.line >= SETUP_EXP_ROWS && !(o_valid)) begin
+                    cfg_file.last;
                 o_file.last;
-                done = 1'b1;
-            end
-            else if (quiet > PATIENCE) begin
-                $display("FAIL setup: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), SETUP_CFG_ROWS);
-                $fatal(1, "the device hangs, or rows are missing");
+                    done = 1'b1;
+                end
+                else if (quiet > PATIENCE) begin
+                    $display("FAIL setup: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), SETUP_CFG_ROWS);
+                    $fatal(1, "the device hangs, or rows are missing");
+                end
             end
         end
 endmodule
@@ -899,6 +1061,7 @@ module triangle_check (
     import guardbit_pkg::*;
     localparam logic [63:0] REPORTED = 20;
     localparam integer PATIENCE = 100000;   // clocks without a transfer
+    localparam integer IDLE = 300;          // clocks after which nothing is under way
 
     line_reader #(
         .NAME("triangle.cfg.tv"), .ROWS(TRIANGLE_CFG_ROWS), .CHARS(TRIANGLE_CFG_LINE),
@@ -916,6 +1079,11 @@ module triangle_check (
     integer extras;                         // answers that belong to no row
     integer beat;
     reg [15:0] noise;
+    // Before some records the device is given another, every bit of it turned, and a reset while it works
+    // on that. Nothing of it may be seen. Not with +no-reset.
+    reg cuts;
+    reg cutting;                            // the other record is in: no answer is taken
+    integer cut_left;                       // clocks until the reset
     reg any_order;                          // rows of a test are matched by their key
 
     // Signals carry the names of the columns, as in the waves of `guardbit trace`.
@@ -1395,6 +1563,10 @@ module triangle_check (
         beat = 0;
         noise = 16'hace1;
         cfg = 0;
+        cfg_bits = 0;
+        cuts = !$test$plusargs("no-reset") && !$test$plusargs("vcd");
+        cutting = 1'b0;
+        cut_left = 0;
         any_order = 1'b0;
         if ($test$plusargs("anyorder")) any_order = 1'b1;
         if ($test$plusargs("fileorder")) any_order = 1'b0;
@@ -1428,7 +1600,7 @@ module triangle_check (
     task extra;
         begin
             extras = extras + 1;
-            if (extras > PATIENCE / 100) begin
+            if (extras > PATIENCE) begin
                 $display("FAIL triangle: %0d rows too much, %0d of %0d records taken", extras, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
                 $fatal(1, "the device answers without end");
             end
@@ -1451,38 +1623,67 @@ module triangle_check (
                 taken = 1'b1;
                 quiet = 0;
             end
-        if (span_held && (!span_valid || span_now !== span_kept))
-            unstable("span.exp", span_file.line + 1);
-        span_held = span_valid && !span_ready;
-        if (span_held) span_kept = span_now;
-        if (span_valid === 1'b1 && span_ready) span_compare;
-        if (sample_held && (!sample_valid || sample_now !== sample_kept))
-            unstable("depth.exp", sample_file.line + 1);
-        sample_held = sample_valid && !sample_ready;
-        if (sample_held) sample_kept = sample_now;
-        if (sample_valid === 1'b1 && sample_ready) sample_compare;
-        if (triangle_held && (!triangle_valid || triangle_now !== triangle_kept))
-            unstable("triangle.exp", triangle_file.line + 1);
-        triangle_held = triangle_valid && !triangle_ready;
-        if (triangle_held) triangle_kept = triangle_now;
-        if (triangle_valid === 1'b1 && triangle_ready) triangle_compare;
+            if (rst) begin
+                span_held = 1'b0;
+                sample_held = 1'b0;
+                triangle_held = 1'b0;
+            end
+            else begin
+                if (span_held || span_valid !== 1'b0) begin
+                    if (span_held && (!span_valid || span_now !== span_kept))
+                        unstable("span.exp", span_file.line + 1);
+                    span_held = span_valid && !span_ready;
+                    if (span_held) span_kept = span_now;
+                    if (span_valid === 1'b1 && span_ready) span_compare;
+                end
+                if (sample_held || sample_valid !== 1'b0) begin
+                    if (sample_held && (!sample_valid || sample_now !== sample_kept))
+                        unstable("depth.exp", sample_file.line + 1);
+                    sample_held = sample_valid && !sample_ready;
+                    if (sample_held) sample_kept = sample_now;
+                    if (sample_valid === 1'b1 && sample_ready) sample_compare;
+                end
+                if (triangle_held || triangle_valid !== 1'b0) begin
+                    if (triangle_held && (!triangle_valid || triangle_now !== triangle_kept))
+                        unstable("triangle.exp", triangle_file.line + 1);
+                    triangle_held = triangle_valid && !triangle_ready;
+                    if (triangle_held) triangle_kept = triangle_now;
+                    if (triangle_valid === 1'b1 && triangle_ready) triangle_compare;
+                end
+            end
         end
 
     always @(negedge clk)
         if (reset_left > 0)
             reset_left = reset_left - 1;
         else if (!done) begin
-            rst = 1'b0;
             beat = beat + 1;
-        span_ready = !stalls;
+            if (rst) begin
+                rst = 1'b0;
+                in_valid = cutting;
+                cfg = cfg_bits;
+                cutting = 1'b0;
+            end
+            else if (cut_left > 0) begin
+                cut_left = cut_left - 1;
+                rst = cut_left == 0;
+            end
+            else if (taken && cutting) cut_left = 1 + noise[1:0];
+        span_ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-        sample_ready = !stalls;
+        sample_ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-        triangle_ready = !stalls;
+        triangle_ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-            if (taken) in_valid = 1'b0;
+            if (taken) begin
+                // What stands at the inputs without a valid is nothing.
+                in_valid = 1'b0;
+                if (cuts) cfg = ~cfg;
+            end
             taken = 1'b0;
-            if (!in_valid && !stalls && cfg_file.line < TRIANGLE_CFG_ROWS) begin
+            if (!in_valid && !stalls && !cutting && cfg_file.line < TRIANGLE_CFG_ROWS
+                    && (!cuts || cfg_file.line[5:0] != 2 || quiet > IDLE)) begin
+                cutting = cuts && cfg_file.line[5:0] == 2;
                 cfg_file.next;
                 cfg_bits = {
                     cfg_file.nibbles[563:560], cfg_file.nibbles[555:552], cfg_file.nibbles[547:544], cfg_file.nibbles[539:536],
@@ -1501,17 +1702,19 @@ module triangle_check (
                     cfg_file.nibbles[11:8]};
                 cfg = cfg_bits;
                 if (|(cfg_bits & TRIANGLE_CFG_PADS)) cfg_file.over_wide;
+                if (cutting) cfg = ~cfg_bits;
                 in_valid = 1'b1;
             end
             // Some clocks more show what comes too much.
-            if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && span_file.line >= SPAN_EXP_ROWS && !span_ahead && span_open.size() == 0 && sample_file.line >= DEPTH_EXP_ROWS && !sample_ahead && sample_open.size() == 0 && triangle_file.line >= TRIANGLE_EXP_ROWS && !triangle_ahead && triangle_open.size() == 0 && !(span_valid || sample_valid || triangle_valid) && quiet > 100) begin
-                cfg_file.last;
+            if (quiet > IDLE) begin
+                if (cfg_file.line >= TRIANGLE_CFG_ROWS && !in_valid && !cutting && span_file.line >= SPAN_EXP_ROWS && !span_ahead && span_open.size() == 0 && sample_file.line >= DEPTH_EXP_ROWS && !sample_ahead && sample_open.size() == 0 && triangle_file.line >= TRIANGLE_EXP_ROWS && !triangle_ahead && triangle_open.size() == 0 && !(span_valid || sample_valid || triangle_valid)) begin
+                    cfg_file.last;
                 span_file.last;
                 sample_file.last;
                 triangle_file.last;
-                done = 1'b1;
-            end
-            else if (quiet > PATIENCE) begin
+                    done = 1'b1;
+                end
+                else if (quiet > PATIENCE) begin
                 if (span_open.size() > 0) begin
                     {span_line, span_picked} = span_open[0];
                     $display("MISMATCH triangle (span.exp.tv line %0d): this row and %0d others of the tests so far are missing", span_line, span_open.size() - 1);
@@ -1524,8 +1727,9 @@ module triangle_check (
                     {triangle_line, triangle_picked} = triangle_open[0];
                     $display("MISMATCH triangle (triangle.exp.tv line %0d): this row and %0d others of the tests so far are missing", triangle_line, triangle_open.size() - 1);
                 end
-                $display("FAIL triangle: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
-                $fatal(1, "the device hangs, or rows are missing");
+                    $display("FAIL triangle: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
+                    $fatal(1, "the device hangs, or rows are missing");
+                end
             end
         end
 endmodule

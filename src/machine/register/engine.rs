@@ -1,6 +1,8 @@
 //! The list of engines: one line each. What an engine does is asked through [`EngineForm`].
 
+use super::QuadDevice;
 use super::input::{Inputs, RegisterError};
+use crate::format::Layout;
 use crate::machine::{Step, Target, Word};
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::Channel;
@@ -36,6 +38,11 @@ pub(super) trait EngineForm {
 
     /// The word that decides coverage; `None` where sides are exact.
     fn edge_word(&self) -> Option<Word>;
+
+    /// What a device is told, of the engine `quads` with given edges.
+    fn quad_device(&self, _input: &Layout) -> Option<QuadDevice> {
+        None
+    }
 
     /// Every configuration one decision away.
     fn neighbours(&self) -> Vec<Step<EngineConfig>>;

@@ -1,13 +1,13 @@
 //! Rows of a dump: hexadecimal columns, with the latitude that simulators need. Spec clause `N-13`.
 
-mod form;
 mod golden;
+mod notation;
 mod text;
 
 use crate::format::Column;
 use crate::vector::table::unpack;
-use form::Form;
 use golden::Shape;
+use notation::Notation;
 use std::collections::HashMap;
 use std::path::Path;
 use text::Text;
@@ -60,7 +60,7 @@ pub struct Dump {
     /// The line that ends in the middle of a row, at the end of the dump.
     cut: Option<u64>,
     /// How the rows are written, once there is one.
-    form: Option<Form>,
+    notation: Option<Notation>,
     /// What was assumed to read it.
     assumed: Vec<String>,
 }
@@ -104,12 +104,12 @@ impl Dump {
         dump.known.reserve(rows.min(most) * dump.stride);
         let mut line = 0;
         while dump.rows() < most {
-            if matches!(dump.form, None | Some(Form::Joined)) {
+            if matches!(dump.notation, None | Some(Notation::Joined)) {
                 let before = dump.rows();
                 let count = shape.rows(text.held(), &mut dump.known);
                 if count > 0 {
                     dump.follows(before, line + 1);
-                    dump.form = Some(Form::Joined);
+                    dump.notation = Some(Notation::Joined);
                     line += count as u64;
                     text.take(count * shape.length());
                     continue;
@@ -143,7 +143,7 @@ impl Dump {
             odd: HashMap::new(),
             lines: Vec::new(),
             cut: None,
-            form: None,
+            notation: None,
             assumed: Vec::new(),
         }
     }
@@ -186,25 +186,25 @@ impl Dump {
         line: u64,
         ends: bool,
     ) -> Result<(), String> {
-        let form = if let Some(form) = self.form.take() {
-            form
+        let notation = if let Some(notation) = self.notation.take() {
+            notation
         } else {
-            let (form, is_header, said) = Form::of(text, columns)?;
+            let (notation, is_header, said) = Notation::of(text, columns)?;
             self.assumed.extend(said);
             if is_header {
-                self.form = Some(form);
+                self.notation = Some(notation);
                 return Ok(());
             }
-            form
+            notation
         };
         let row = self.rows();
-        let pushed = form.words(text, columns).and_then(|(words, mask)| {
+        let pushed = notation.words(text, columns).and_then(|(words, mask)| {
             self.push(&words, mask, columns)?;
             self.follows(row, line);
             Ok(())
         });
-        let cut = !ends && pushed.is_err() && form.could_begin(text, columns);
-        self.form = Some(form);
+        let cut = !ends && pushed.is_err() && notation.could_begin(text, columns);
+        self.notation = Some(notation);
         if cut {
             self.cut = Some(line);
             return Ok(());
@@ -283,7 +283,7 @@ impl Dump {
     /// Appends a row.
     fn push(
         &mut self,
-        words: &[form::Word],
+        words: &[notation::Word],
         mask: Option<&str>,
         columns: &[Column],
     ) -> Result<(), String> {
@@ -296,7 +296,7 @@ impl Dump {
                 let (mine, later) =
                     rest.split_at_checked(column.digits()).ok_or("mask is not ASCII")?;
                 rest = later;
-                let (ignored, unknown) = form::digits(mine, "mask")?;
+                let (ignored, unknown) = notation::digits(mine, "mask")?;
                 if unknown != 0 {
                     return Err(format!("the don't-care mask has unknown digits: {mine:?}"));
                 }

@@ -63,7 +63,7 @@ pub(super) fn systemverilog_device(interface: &Interface, records: &[Record]) ->
     let start = fill(include_str!("dut.sv.in"), &[("LEFT_OUT", &plan.each_unchecked(LEFT_OUT))]);
     let text = start
         + &devices(interface, &plan.halves, |half| half.module)
-        + &stream::modules(interface, &plan.streams, &plan.halves);
+        + &stream::modules(&plan.streams, &plan.halves);
     head(interface, &text)
 }
 

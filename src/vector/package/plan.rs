@@ -102,10 +102,13 @@ fn reason(interface: &Interface, records: &[Record], bench: &str, testbench: &st
     };
     let missing = match bench {
         "setup" => interface.setup.as_ref().err().cloned(),
-        "triangle" | "words" => interface.engine.as_ref().err().cloned(),
+        "triangle" => interface.engine.as_ref().err().cloned(),
+        "words" => interface.quads.as_ref().err().cloned(),
         _ => None,
     };
-    let here = matches!(bench, "setup" | "triangle") && missing.is_none() && testbench == "tb.vhd";
+    let here = matches!(bench, "setup" | "triangle" | "words")
+        && missing.is_none()
+        && testbench == "tb.vhd";
     if here && !streams(interface, records).is_empty() {
         return "the set has no such device in VHDL; tb.sv checks it".to_owned();
     }

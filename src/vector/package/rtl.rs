@@ -1,6 +1,6 @@
 //! The devices of `hdl` with a set's parameters as their defaults.
 
-use super::{ClampParameters, SetupParameters};
+use super::{ClampParameters, Interface, QuadParameters, SetupParameters};
 
 /// A module or entity of `hdl`.
 pub(super) struct Source {
@@ -74,6 +74,12 @@ pub(super) static TRIANGLE_ENGINE: Source = systemverilog(
     include_str!("../../../hdl/triangle_engine.sv"),
     &["M", "G", "I", "F", "MODE", "C"],
 );
+/// The engine of given edge functions.
+pub(super) static QUAD_ENGINE: Source = systemverilog(
+    "quad_engine.sv",
+    include_str!("../../../hdl/quad_engine.sv"),
+    &["W", "T", "B", "C"],
+);
 /// The depth DDA in VHDL.
 pub(super) static DDA_VHDL: Source =
     vhdl("dda.vhd", include_str!("../../../hdl/dda.vhd"), READ_OUT);
@@ -95,32 +101,54 @@ pub(super) fn constant(parameter: &str) -> Option<&'static str> {
         ("SHIFT", "EDGE_SHIFT"),
         ("ROUNDING", "ROUNDING"),
         ("HALF", "START_HALF"),
+        ("W", "QUAD_EDGE_BITS"),
+        ("T", "QUAD_TILE"),
+        ("B", "QUAD_BLOCK"),
     ];
     constants.into_iter().find(|(name, _)| *name == parameter).map(|(_, constant)| constant)
 }
 
-/// What the packages say of the set-up: constant, value, and what it is.
-pub(super) fn setup_constants(setup: &SetupParameters) -> [(&'static str, i128, String); 7] {
-    let Values(values) = Values::default().and_setup(setup);
-    let value = |parameter: &str| {
-        let found = values.iter().find(|(name, _)| *name == parameter);
-        found.map_or_else(|| unreachable!("{parameter} is a parameter of the set-up"), |(_, v)| *v)
+/// What the packages say of set-up and engine: constant, value, and what it is.
+pub(super) fn constants(interface: &Interface) -> Vec<(&'static str, i128, String)> {
+    let listed = |Values(values): Values, what: &[(&str, String)]| {
+        let constants = what.iter().map(|(parameter, what)| {
+            let value = values.iter().find(|(name, _)| name == parameter);
+            let (Some(name), Some((_, value))) = (constant(parameter), value) else {
+                unreachable!("{parameter} is a parameter with a constant")
+            };
+            (name, *value, what.clone())
+        });
+        constants.collect::<Vec<_>>()
     };
-    let rounding = setup.rounding.names().guardbit;
-    [
-        ("S", "sub-pixel bits of a vertex".to_owned()),
-        ("SAMPLE_X", "the sample in its pixel, in sub-pixels".to_owned()),
-        ("SAMPLE_Y", "the same, downward".to_owned()),
-        ("RULE", "fill rule: 0 top-left, 1 shadow".to_owned()),
-        ("SHIFT", "low bits of an edge value that are not kept".to_owned()),
-        ("ROUNDING", format!("of start and slopes, as setup_divider has it: {rounding}")),
-        ("HALF", "1: the start gains half a depth step".to_owned()),
-    ]
-    .map(|(parameter, what)| {
-        let name = constant(parameter)
-            .unwrap_or_else(|| unreachable!("{parameter} has a constant in the packages"));
-        (name, value(parameter), what)
-    })
+    let mut all = Vec::new();
+    if let Ok(setup) = &interface.setup {
+        let rounding = setup.rounding.names().guardbit;
+        all.extend(listed(
+            Values::default().and_setup(setup),
+            &[
+                ("S", "Set-up: sub-pixel bits of a vertex".to_owned()),
+                ("SAMPLE_X", "the sample in its pixel, in sub-pixels".to_owned()),
+                ("SAMPLE_Y", "the same, downward".to_owned()),
+                ("RULE", "fill rule: 0 top-left, 1 shadow".to_owned()),
+                ("SHIFT", "low bits of an edge value that are not kept".to_owned()),
+                ("ROUNDING", format!("of start and slopes, as setup_divider has it: {rounding}")),
+                ("HALF", "1: the start gains half a depth step".to_owned()),
+            ],
+        ));
+    }
+    if let Ok(quads) = &interface.quads {
+        all.extend(listed(
+            Values::of_quads(quads),
+            &[
+                ("W", "Quad engine: bits of an edge word".to_owned()),
+                ("T", "pixels on a side of a tile".to_owned()),
+                ("B", "pixels on a side of the smallest part that is tested".to_owned()),
+            ],
+        ));
+        let what = "bits of a register of a pixel coordinate".to_owned();
+        all.push(("QUAD_COORDINATE_BITS", quads.coordinate.into(), what));
+    }
+    all
 }
 
 impl Source {
@@ -176,6 +204,16 @@ impl Values {
         ])
     }
 
+    /// Parameters of the engine of given edge functions.
+    pub(super) fn of_quads(quads: &QuadParameters) -> Self {
+        Self(vec![
+            ("W", quads.edge.into()),
+            ("T", quads.tile.into()),
+            ("B", quads.block.into()),
+            ("C", quads.coordinate.into()),
+        ])
+    }
+
     /// With those of the set-up.
     pub(super) fn and_setup(mut self, setup: &SetupParameters) -> Self {
         self.0.extend([
@@ -208,7 +246,7 @@ mod tests {
     use crate::format::Clamp;
     use std::collections::BTreeMap;
 
-    const ALL: [&Source; 9] = [
+    const ALL: [&Source; 10] = [
         &DDA,
         &EDGE_STEPPER,
         &EDGE_EVALUATOR,
@@ -216,6 +254,7 @@ mod tests {
         &SETUP_DIVIDER,
         &TRIANGLE_SETUP,
         &TRIANGLE_ENGINE,
+        &QUAD_ENGINE,
         &DDA_VHDL,
         &EDGE_STEPPER_VHDL,
     ];

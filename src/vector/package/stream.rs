@@ -1,11 +1,14 @@
 //! Benches of devices behind valid/ready streams: one record in, rows of several files out.
 
+mod answer;
+
 use super::half::{Half, pack, parameters, text_mask};
 use super::record::{Field, Record};
 use super::rtl::{self, Source, Values};
 use super::template::fill;
-use super::{Interface, SetupParameters};
+use super::{EngineParameters, Interface, QuadParameters, SetupParameters};
 use crate::format::Role;
+use answer::{Answer, COMPLETE, COMPLETE_ANY, FORGET, MISSING, READY, WATCH};
 
 /// A device, the file that drives it and the files that it answers.
 pub(super) struct Stream<'a> {
@@ -14,27 +17,14 @@ pub(super) struct Stream<'a> {
     device: &'static str,
     /// The modules that the device is made of, itself last.
     parts: &'static [&'static Source],
-    /// What its set-up is told, where it has one.
-    setup: Option<SetupParameters>,
-    /// A column that is an edge word, and the file that has it.
-    edge: (&'a Record<'a>, &'a Field<'a>),
+    /// What its modules are told.
+    values: Values,
+    /// The parameters whose values the package has as widths of columns, and the names of these constants.
+    of_files: Vec<(&'static str, String)>,
     /// Whether answers of a test may come in any order unless the simulation asks for another.
     any_order: bool,
     cfg: &'a Record<'a>,
-    /// The column of `cfg` that has the width of the device's coordinates.
-    coordinate: &'a Field<'a>,
     answers: Vec<Answer<'a>>,
-}
-
-/// One stream of answers.
-struct Answer<'a> {
-    /// What its ports' names begin with.
-    prefix: &'static str,
-    exp: &'a Record<'a>,
-    /// How many of its first columns say where a row belongs; 0 where only the order says it.
-    key: usize,
-    /// Its columns, and whether the device has a port for each.
-    fields: Vec<(&'a Field<'a>, bool)>,
 }
 
 /// What the summary's events look at is wider than any word of the engine: they are not compared.
@@ -52,39 +42,70 @@ fn names(roles: &[Role]) -> Vec<String> {
 
 /// The streams that the set has all files for, and whose device this crate has.
 pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Vec<Stream<'a>> {
+    let clamp = Values::of_clamp(&interface.clamp);
+    let setup = interface.setup.as_ref().ok().and_then(|known| setup(records, &clamp, known));
+    let engine = interface.engine.as_ref().ok().and_then(|known| engine(records, &clamp, *known));
+    let quads = interface.quads.as_ref().ok().and_then(|known| quads(records, known));
+    setup.into_iter().chain(engine).chain(quads).collect()
+}
+
+/// Set-up words of edge functions and a depth plane.
+fn words() -> Vec<String> {
     let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY, Role::ZERO_AREA];
-    let edges = three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]);
-    let words = [edges, names(&plane)].concat();
+    [three([Role::EDGE_INIT, Role::EDGE_DX, Role::EDGE_DY]), names(&plane)].concat()
+}
+
+/// The stream of the set-up.
+fn setup<'a>(
+    records: &'a [Record<'a>],
+    clamp: &Values,
+    known: &SetupParameters,
+) -> Option<Stream<'a>> {
     let vertices = three([Role::VERTEX_X, Role::VERTEX_Y, Role::VERTEX_Z]);
-    let test = names(&[Role::TEST]);
+    let answers = [("setup.exp", "o_", 0, words())];
+    let mut stream = stream(records, "setup", SETUP, &vertices, &answers)?;
+    stream.values = clamp.clone().and_setup(known);
+    stream.width("VW", &Role::VERTEX_X)?;
+    stream.width("M", &Role::EDGE_INIT)?;
+    let x = stream.column(&Role::VERTEX_X)?;
+    stream.of_files.push(("VS", format!("{x}_SIGNED")));
+    Some(stream)
+}
+
+/// The stream of the engine.
+fn engine<'a>(
+    records: &'a [Record<'a>],
+    clamp: &Values,
+    known: EngineParameters,
+) -> Option<Stream<'a>> {
     let sides = [Role::BOX_Y_BEGIN, Role::BOX_Y_END, Role::BOX_X_BEGIN, Role::BOX_X_END];
-    let engine_inputs = [test, words.clone(), names(&sides)].concat();
+    let inputs = [names(&[Role::TEST]), words(), names(&sides)].concat();
     let summary =
         [&[Role::TEST, Role::SPANS, Role::SAMPLES][..], &EVENTS, &[Role::ZERO_AREA]].concat();
-    let setup = interface.setup.as_ref().ok().and_then(|parameters| {
-        let device = (SETUP, Some(*parameters), false);
-        stream(
-            records,
-            ("setup", Role::VERTEX_X),
-            device,
-            &vertices,
-            &[("setup.exp", "o_", 0, words)],
-        )
-    });
-    let triangle = interface.engine.as_ref().ok().and_then(|engine| {
-        stream(
-            records,
-            ("triangle", Role::BOX_X_BEGIN),
-            (ENGINE, None, engine.any_order),
-            &engine_inputs,
-            &[
-                ("span.exp", "span_", 4, names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
-                ("depth.exp", "sample_", 3, names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
-                ("triangle.exp", "triangle_", 1, names(&summary)),
-            ],
-        )
-    });
-    setup.into_iter().chain(triangle).collect()
+    let answers = [
+        ("span.exp", "span_", 4, names(&[Role::TEST, Role::Y, Role::X_BEGIN, Role::X_END])),
+        ("depth.exp", "sample_", 3, names(&[Role::TEST, Role::Y, Role::X, Role::DEPTH])),
+        ("triangle.exp", "triangle_", 1, names(&summary)),
+    ];
+    let mut stream = stream(records, "triangle", ENGINE, &inputs, &answers)?;
+    stream.values = clamp.clone();
+    stream.any_order = known.any_order;
+    stream.width("C", &Role::BOX_X_BEGIN)?;
+    stream.width("M", &Role::EDGE_INIT)?;
+    Some(stream)
+}
+
+/// The stream of an engine of given edge functions.
+fn quads<'a>(records: &'a [Record<'a>], known: &QuadParameters) -> Option<Stream<'a>> {
+    let list = |names: &str| names.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    let inputs = list("test tile_x tile_y x_min x_max y_min y_max a0 b0 c0 a1 b1 c1 a2 b2 c2");
+    let places = (0..3).flat_map(|k| (0..4).map(move |place| format!("e{k}_{place}")));
+    let outputs = list("test x y mask").into_iter().chain(places).collect();
+    let answers = [("words-q.exp", "q_", 0, outputs)];
+    let mut stream = stream(records, "words", QUADS, &inputs, &answers)?;
+    stream.values = Values::of_quads(known);
+    stream.of_files.push(("C", "QUAD_COORDINATE_BITS".to_owned()));
+    Some(stream)
 }
 
 /// A device of `hdl` behind streams, and the modules that it is made of, itself last.
@@ -102,16 +123,17 @@ const ENGINE: Device = (
     ],
 );
 
+const QUADS: Device = ("quad_engine", &[&rtl::QUAD_ENGINE]);
+
 /// A file that a device answers: its stem, what the names of the ports begin with, how many columns are
 /// its key, its columns.
 type Wanted = (&'static str, &'static str, usize, Vec<String>);
 
-/// The stream of that name, if the set has its files with just these columns. Its `coordinate` has the
-/// width of the device's coordinates.
+/// The stream of that name, if the set has its files with just these columns.
 fn stream<'a>(
     records: &'a [Record<'a>],
-    (name, coordinate): (&'static str, Role),
-    ((device, parts), setup, any_order): (Device, Option<SetupParameters>, bool),
+    name: &'static str,
+    (device, parts): Device,
     inputs: &[String],
     answers: &[Wanted],
 ) -> Option<Stream<'a>> {
@@ -128,30 +150,44 @@ fn stream<'a>(
         Some(Answer { prefix, exp, key: *key, fields })
     });
     let answers: Vec<Answer> = answers.collect::<Option<_>>()?;
-    let coordinate = cfg.field(&coordinate.name(0))?;
-    let edge = Role::EDGE_INIT.name(0);
-    let mut files = std::iter::once(cfg).chain(answers.iter().map(|answer| answer.exp));
-    let edge = files.find_map(|record| Some((record, record.field(&edge)?)))?;
-    Some(Stream { name, device, parts, setup, edge, any_order, cfg, coordinate, answers })
+    let (values, of_files) = (Values::default(), Vec::new());
+    Some(Stream { name, device, parts, values, of_files, any_order: false, cfg, answers })
 }
 
 /// The modules of these streams' devices, without those of `halves`, which the text has already.
-pub(super) fn modules(interface: &Interface, streams: &[Stream], halves: &[Half]) -> String {
-    let values = Values::of_clamp(&interface.clamp);
+pub(super) fn modules(streams: &[Stream], halves: &[Half]) -> String {
     let have = |source: &Source| halves.iter().any(|half| half.module.file() == source.file());
     let mut text = String::new();
     for stream in streams {
-        // A vertex coordinate, or a pixel's.
-        let coordinate = stream.coordinate.column.width;
-        let values = stream.setup.iter().fold(values.clone(), Values::and_setup);
-        let values = values.and("M", stream.edge.1.column.width);
-        let values = values.and("VW", coordinate).and("C", coordinate);
         for part in stream.parts.iter().filter(|part| !have(part)) {
             text += "\n";
-            text += &part.with(&values);
+            text += &part.with(&stream.values);
         }
     }
     text
+}
+
+impl Stream<'_> {
+    /// The column of a role in the first file that has it.
+    fn field(&self, role: &Role) -> Option<(&Record<'_>, &Field<'_>)> {
+        let mut files = [self.cfg].into_iter().chain(self.answers.iter().map(|answer| answer.exp));
+        files.find_map(|record| Some((record, record.field(&role.name(0))?)))
+    }
+
+    /// What the constants of a role's column begin with.
+    fn column(&self, role: &Role) -> Option<String> {
+        let (record, field) = self.field(role)?;
+        Some(format!("{}_{}", record.constant(), field.constant()))
+    }
+
+    /// Sets a parameter to the width of a role's column.
+    fn width(&mut self, parameter: &'static str, role: &Role) -> Option<()> {
+        let width = self.field(role)?.1.column.width;
+        let constant = format!("{}_WIDTH", self.column(role)?);
+        self.values = std::mem::take(&mut self.values).and(parameter, width);
+        self.of_files.push((parameter, constant));
+        Some(())
+    }
 }
 
 impl Stream<'_> {
@@ -217,17 +253,7 @@ impl Stream<'_> {
     /// The device's parameters as the package has them.
     fn parameters(&self) -> String {
         let [.., top] = self.parts else { return String::new() };
-        let of = |record: &Record, field: &Field, what: &str| {
-            format!("{}_{}_{what}", record.constant(), field.constant())
-        };
-        let coordinate = |what| of(self.cfg, self.coordinate, what);
-        let of_files = [
-            ("VW", coordinate("WIDTH")),
-            ("C", coordinate("WIDTH")),
-            ("VS", coordinate("SIGNED")),
-            ("M", of(self.edge.0, self.edge.1, "WIDTH")),
-        ];
-        parameters(top, &of_files)
+        parameters(top, &self.of_files)
     }
 }
 
@@ -261,166 +287,3 @@ const ORDER_START: &str = "        any_order = @DEFAULT@;
         if ($test$plusargs(\"anyorder\")) any_order = 1'b1;
         if ($test$plusargs(\"fileorder\")) any_order = 1'b0;
 ";
-
-const COMPLETE: &str = "@ANSWER@file.line >= @EXP@_ROWS";
-
-const COMPLETE_ANY: &str =
-    "@ANSWER@file.line >= @EXP@_ROWS && !@ANSWER@ahead && @ANSWER@open.size() == 0";
-
-const MISSING: &str = "                if (@ANSWER@open.size() > 0) begin
-                    {@ANSWER@line, @ANSWER@picked} = @ANSWER@open[0];
-                    $display(\"MISMATCH @HALF@ (@STEM@.tv line %0d): this row and %0d others of the tests so far are missing\", @ANSWER@line, @ANSWER@open.size() - 1);
-                end
-";
-
-const START: &str = "@AHEAD@        @ANSWER@ready = 1'b0;
-        @ANSWER@held = 1'b0;
-        @ANSWER@dump = 0;
-        if ($test$plusargs(\"dump\")) @ANSWER@dump = $fopen(\"@STEM@.dut.tv\", \"w\");
-";
-
-const WATCH: &str =
-    "                if (@ANSWER@held && (!@ANSWER@valid || @ANSWER@now !== @ANSWER@kept))
-                    unstable(\"@STEM@\", @ANSWER@file.line + 1);
-                @ANSWER@held = @ANSWER@valid && !@ANSWER@ready;
-                if (@ANSWER@held) @ANSWER@kept = @ANSWER@now;
-                if (@ANSWER@valid === 1'b1 && @ANSWER@ready) @ANSWER@compare;
-";
-
-/// What a reset makes the bench forget.
-const FORGET: &str = "                @ANSWER@held = 1'b0;
-";
-
-const READY: &str = "        @ANSWER@ready = !stalls && !cutting;
-        noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
-";
-
-impl Answer<'_> {
-    fn fill(&self, text: &str) -> String {
-        let stem = self.exp.file.name.trim_end_matches(".tv");
-        fill(
-            text,
-            &[
-                ("ANSWER", self.prefix),
-                ("EXP", &self.exp.constant()),
-                ("EXP_ID", &self.exp.id),
-                ("STEM", stem),
-            ],
-        )
-    }
-
-    /// A text that only an answer with a key has.
-    fn keyed(&self, text: &str) -> String {
-        if self.key > 0 { self.fill(text) } else { String::new() }
-    }
-
-    fn start(&self) -> String {
-        let ahead = self.keyed("        @ANSWER@ahead = 1'b0;\n");
-        self.fill(&fill(START, &[("AHEAD", &ahead)]))
-    }
-
-    /// The task that finds the row of an answer's key.
-    fn any_order(&self) -> String {
-        let key: Vec<&str> =
-            self.fields[..self.key].iter().map(|(field, _)| field.id.as_str()).collect();
-        let Some(test) = key.first() else { return String::new() };
-        let list = |between: &str, text: &dyn Fn(&str) -> String| {
-            key.iter().map(|id| text(id)).collect::<Vec<_>>().join(between)
-        };
-        let same = |id: &str| format!("{0}{id} === {0}want.{id}", self.prefix);
-        let text = fill(
-            include_str!("tb.any.sv.in"),
-            &[
-                ("SAME_KEY", &list(" && ", &same)),
-                ("KEY_FORMAT", &list(", ", &|id| format!("{id} %0d"))),
-                ("KEY", &list(", ", &|id| format!("{}{id}", self.prefix))),
-                ("TEST", test),
-            ],
-        );
-        self.fill(&text)
-    }
-
-    fn ports(&self) -> impl Iterator<Item = &Field<'_>> {
-        self.fields.iter().filter(|(_, port)| *port).map(|(field, _)| *field)
-    }
-
-    /// Its file, its wires, and the task that compares a row.
-    fn declare(&self, name: &str) -> String {
-        let wires: Vec<String> = self
-            .ports()
-            .map(|field| {
-                format!("    wire [{}:0] {}{};\n", field.column.width - 1, self.prefix, field.id)
-            })
-            .collect();
-        let now: Vec<String> =
-            self.ports().map(|field| format!("{}{}", self.prefix, field.id)).collect();
-        let bits: u32 = self.ports().map(|field| field.column.width).sum();
-        let compare: Vec<String> = self
-            .ports()
-            .map(|field| {
-                let Field { id, column, .. } = field;
-                let (prefix, stem) = (self.prefix, self.exp.file.name.trim_end_matches(".tv"));
-                format!(
-                    "            if ({prefix}{id} !== {prefix}want.{id}) begin
-                mismatches = mismatches + 1;
-                if (mismatches <= REPORTED)
-                    $display(\"MISMATCH {name} ({stem}.tv line %0d) field {field}\\n    expected %h  %b\\n    got      %h  %b\",
-                        line, {prefix}want.{id}, {prefix}want.{id}, {prefix}{id}, {prefix}{id});
-            end
-",
-                    field = column.name
-                )
-            })
-            .collect();
-        let masked = self.fields.iter().any(|(_, port)| !port);
-        let (formats, words): (Vec<&str>, Vec<String>) = self
-            .fields
-            .iter()
-            .map(|(field, port)| {
-                if *port {
-                    ("%h", format!("{}{}", self.prefix, field.id))
-                } else {
-                    ("%h", format!("{}'h0", field.column.width))
-                }
-            })
-            .unzip();
-        let mask: String = self
-            .fields
-            .iter()
-            .map(|(field, port)| if *port { "0" } else { "f" }.repeat(field.column.digits()))
-            .collect();
-        let mask = if masked { format!("_{mask}") } else { String::new() };
-        let text = self.fill(include_str!("tb.answer.sv.in"));
-        fill(
-            &text,
-            &[
-                ("FIXED", &text_mask(self.exp, false)),
-                ("DIGITS", &text_mask(self.exp, true)),
-                ("PACK", &pack(self.exp, &format!("{}file.nibbles", self.prefix))),
-                ("WIRES", &wires.concat()),
-                ("NOW_TOP", &(bits - 1).to_string()),
-                ("NOW", &now.join(", ")),
-                ("COMPARE", &compare.concat()),
-                ("FORMATS", &(formats.join("_") + &mask)),
-                ("WORDS", &words.join(", ")),
-                ("ANY_ORDER", &self.any_order()),
-                ("FIND", &self.keyed("if (any_order) @ANSWER@find;\n            else ")),
-            ],
-        )
-    }
-
-    fn connect(&self) -> String {
-        let ports = self.ports().map(|field| field.id.as_str()).chain(["valid", "ready"]);
-        // `o_valid` is the set-up's `out_valid`: its ports have no stream's name.
-        let ports: Vec<String> = ports
-            .map(|id| {
-                let port = match (self.prefix, id) {
-                    ("o_", "valid" | "ready") => format!("out_{id}"),
-                    (prefix, id) => format!("{prefix}{id}"),
-                };
-                format!("        .{port}({}{id}),\n", self.prefix)
-            })
-            .collect();
-        ports.concat()
-    }
-}

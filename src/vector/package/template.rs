@@ -30,7 +30,7 @@ pub(super) fn head(interface: &Interface, text: &str) -> String {
 }
 
 /// Fills in a package: what describes each file, and everything about the set itself.
-/// `comment` opens a comment of one line, `constant` is one of the set-up's constants: `@NAME@ @VALUE@`.
+/// `comment` opens a comment of one line, `constant` is a constant of set-up or engine: `@NAME@ @VALUE@`.
 pub(super) fn package(
     interface: &Interface,
     template: &str,
@@ -38,16 +38,13 @@ pub(super) fn package(
     files: &[String],
 ) -> String {
     let clamp = &interface.clamp;
-    let setup = match &interface.setup {
-        Ok(setup) => {
-            let each = rtl::setup_constants(setup).map(|(name, value, what)| {
-                let line = fill(constant, &[("NAME", name), ("VALUE", &value.to_string())]);
-                fill(comment, &[("TEXT", &what)]) + &line
-            });
-            format!("\n{}{}", fill(comment, &[("TEXT", "Set-up.")]), each.concat())
-        }
-        Err(_) => String::new(),
-    };
+    let mut setup = String::new();
+    for (name, value, what) in rtl::constants(interface) {
+        // A line free before the first.
+        setup += if setup.is_empty() { "\n" } else { "" };
+        setup += &fill(comment, &[("TEXT", &what)]);
+        setup += &fill(constant, &[("NAME", name), ("VALUE", &value.to_string())]);
+    }
     let text = fill(
         template,
         &[

@@ -8,7 +8,7 @@ use crate::setup::Division;
 use crate::value::{DepthConfig, StartBias};
 use crate::vector::manifest::FileEntry;
 use crate::vector::package::{
-    ClampParameters, EngineParameters, FileLayout, Interface, SetupParameters,
+    ClampParameters, EngineParameters, FileLayout, Interface, QuadParameters, SetupParameters,
 };
 
 /// What the generated files of a set depend on.
@@ -30,15 +30,16 @@ pub(super) fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> In
             columns: file.columns.clone(),
         })
         .collect();
-    let (setup, engine) = (setup(profile), engine(profile));
-    Interface { set: set.to_owned(), model_version: MODEL_VERSION, clamp, setup, engine, files }
+    let (setup, engine, quads) = (setup(profile), engine(profile), quads(profile));
+    let set = set.to_owned();
+    Interface { set, model_version: MODEL_VERSION, clamp, setup, engine, quads, files }
 }
 
 /// The edge words and the depth of the profiles that the devices draw, or what keeps them from it.
 fn drawn(profile: &Profile) -> Result<(EdgeWordConfig, DepthConfig), String> {
-    let machine = profile.form.name();
+    let machine = profile.form.engine();
     let Some(edge) = profile.form.edge().filter(|_| profile.form.visits_the_box()) else {
-        return Err(format!("no device draws as the machine {machine}"));
+        return Err(format!("there is no device for {machine}"));
     };
     if profile.multisample.is_some() {
         return Err("no device takes several samples in a pixel, as [multisample] asks".to_owned());
@@ -89,4 +90,10 @@ fn engine(profile: &Profile) -> Result<EngineParameters, String> {
         Clamp::Wrap | Clamp::Guard | Clamp::Sign => {}
     }
     Ok(EngineParameters { any_order: profile.traversal.is_some() })
+}
+
+/// What the engine of given edge functions is told.
+fn quads(profile: &Profile) -> Result<QuadParameters, String> {
+    let missing = || format!("there is no device for {}", profile.form.engine());
+    profile.form.quad_device().ok_or_else(missing)
 }

@@ -1,6 +1,7 @@
 //! The engine `quads` as a profile configures it.
 
-use super::{NAME, QuadConfig, QuadRule};
+use super::{Descent, Emit, NAME, QuadConfig, QuadDevice, QuadEdges, QuadRule};
+use crate::format::Layout;
 use crate::machine::register::engine::{Built, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{EngineConfig, Step, Steps, Target, Word, near};
@@ -25,6 +26,19 @@ impl EngineForm for QuadConfig {
     fn edge_word(&self) -> Option<Word> {
         let facts = [("beyond its range", "wraps".to_owned())];
         Some(Word::new("edge", [("edge", self.width)], facts))
+    }
+
+    fn quad_device(&self, input: &Layout) -> Option<QuadDevice> {
+        let given = matches!(self.edges, QuadEdges::Given { .. });
+        let Descent { tile, block } = self.descent.filter(|_| given && self.emit == Emit::Quads)?;
+        let bits = |names: &[&str]| {
+            let mut all = names.iter().map(|name| Some(input.find(name)?.bits()));
+            let first = all.next()??;
+            all.all(|other| other == Some(first)).then_some(first)
+        };
+        let coordinate = bits(&["tile_x", "tile_y", "x_min", "x_max", "y_min", "y_max"])?;
+        let edge = bits(&["a0", "b0", "c0", "a1", "b1", "c1", "a2", "b2", "c2"])?;
+        (edge >= self.width).then_some(QuadDevice { edge: self.width, tile, block, coordinate })
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

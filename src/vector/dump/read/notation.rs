@@ -4,7 +4,7 @@ use crate::format::Column;
 
 /// How a line is taken apart.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) enum Form {
+pub(super) enum Notation {
     /// The golden form: columns joined by `_`.
     Joined,
     /// Columns with blanks between them.
@@ -21,9 +21,9 @@ pub(super) enum Form {
 pub(super) type Word = (u128, u128);
 
 /// A form, whether the line that told it is a header and no row, and what is said of it.
-pub(super) type Told = (Form, bool, Vec<String>);
+pub(super) type Told = (Notation, bool, Vec<String>);
 
-impl Form {
+impl Notation {
     /// The form of a dump whose first line this is.
     ///
     /// # Errors
@@ -162,7 +162,7 @@ fn header(fields: &[&str], separator: char, columns: &[Column]) -> Result<Told, 
             others.join(", ")
         ));
     }
-    Ok((Form::Separated(separator, order), true, said))
+    Ok((Notation::Separated(separator, order), true, said))
 }
 
 /// Fields in the order of the columns, and a mask behind them.
