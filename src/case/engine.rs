@@ -113,7 +113,7 @@ impl Engine {
             cases.push(case);
         }
         let catches = "a bit that is not connected, a word of the last record that stays";
-        Directed { class: Class { tag: "all-bits", catches }, tests: cases }
+        Directed { class: Class { tag: "word-bits", catches }, tests: cases }
     }
 
     /// Samples covered beyond each side of the box, boxes of one column or row, and empty ones.
@@ -165,6 +165,15 @@ impl Engine {
                     edges[edge] = [value, dx, dy];
                     cases.push(self.case(edges, self.plane(), bounds));
                 }
+            }
+        }
+        // Steps so wide that the sign comes and goes: several runs in a row.
+        let bounds = self.box_at([self.window[0] / 4, self.window[1] / 2], [8, 3]);
+        for edge in 0..3 {
+            for [dx, dy] in [[half / 2, 1], [-half / 2, 0], [-half, half / 2]] {
+                let mut edges = [self.inside(); 3];
+                edges[edge] = [1, dx, dy];
+                cases.push(self.case(edges, self.plane(), bounds));
             }
         }
         let catches = "an edge that is not tested or not stepped, its sign read from another bit";

@@ -145,7 +145,7 @@ fn every_octant(starts: &[i128], unit: i128) -> Directed<Walk> {
 }
 
 /// Alternating bits, and alternating pairs and fours of bits.
-pub(super) const STRIPES: [u128; 3] = [u128::MAX / 3, u128::MAX / 5, u128::MAX / 17];
+pub(crate) const STRIPES: [u128; 3] = [u128::MAX / 3, u128::MAX / 5, u128::MAX / 17];
 
 /// Words with every bit in use, each walk's the complement of those before it.
 fn all_bits(width: u32) -> Directed<Walk> {

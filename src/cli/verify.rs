@@ -100,9 +100,31 @@ fn compare(
         }
         one(dump, report, arguments, output)?;
     }
+    if dut.is_dir() {
+        summary(&reports, output)?;
+    }
     output.flush()?;
     let good = reports.iter().all(|report| report.total == 0);
     Ok(if good { Outcome::Good } else { Outcome::Mismatch })
+}
+
+/// What is to be said of all dumps of a folder: a line a bench.
+fn summary(reports: &[DumpReport], output: &mut Output) -> Result<(), Failure> {
+    output.line("== summary")?;
+    for report in reports {
+        let verdict = if report.total == 0 { "agrees" } else { "differs" };
+        let Placed { modules, .. } = &report.placed;
+        let place = match modules.first() {
+            Some(module) => format!("; placed: {module}"),
+            None => String::new(),
+        };
+        let cause = match report.causes.first().filter(|_| report.sure) {
+            Some(cause) => format!("; likely cause: {cause}"),
+            None => String::new(),
+        };
+        output.line(format!("{} {verdict}{place}{cause}", report.file))?;
+    }
+    Ok(())
 }
 
 /// The dump, or those of a folder.

@@ -31,6 +31,8 @@ pub struct Suspect<'b> {
     pub unsettled: u64,
     /// How simple the change is: of two that explain a dump alike, the lower is named.
     pub rank: u8,
+    /// Whether what it answers in a test depends on no test before it.
+    pub forgets: bool,
     /// The module and the part of it that are wrong, if a single part is.
     pub place: Option<(&'static str, &'static str)>,
     /// The device, taken through the tests of the bench.
@@ -50,7 +52,7 @@ impl<'b> Suspect<'b> {
         device: impl Device<B::Test> + 'b,
     ) -> Self {
         let run = Box::new(Rig::new(bench, Box::new(device), RowFormat::Bin));
-        Self { change: change.into(), unsettled: 0, rank: 0, place: None, run }
+        Self { change: change.into(), unsettled: 0, rank: 0, forgets: false, place: None, run }
     }
 
     /// A device with a fault in one part.
@@ -65,6 +67,7 @@ impl<'b> Suspect<'b> {
             place,
             unsettled,
             rank: fault.rank(),
+            forgets: fault.forgets(),
             ..Self::new(bench, fault.text.clone(), device)
         }
     }

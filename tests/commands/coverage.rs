@@ -29,7 +29,7 @@ fn the_default_sets_leave_no_cell_open() {
         let top = "1".repeat(guard as usize);
         assert!(hit(&format!("N-NE.guard-{top}")));
         let clamped: u128 = made.rows("triangle.exp.tv").iter().map(|row| row[4]).sum();
-        assert!(clamped > 100, "{clamped} samples above the range");
+        assert!(clamped > 40, "{clamped} samples above the range");
     }
 }
 
@@ -45,7 +45,7 @@ fn a_core_of_a_thousand_rows_comes_first_and_no_seed_decides_it() {
     {
         let core = one.manifest.groups.iter().find(|group| group.bench == bench).unwrap();
         assert_eq!(core.tag, "core");
-        assert!((500..=1000).contains(&core.rows), "{bench}: {} rows", core.rows);
+        assert!((400..=1000).contains(&core.rows), "{bench}: {} rows", core.rows);
         let head = |made: &set::Set| {
             made.text(file).lines().take(1000).map(str::to_owned).collect::<Vec<_>>()
         };

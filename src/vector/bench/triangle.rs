@@ -255,7 +255,8 @@ impl Bench for TriangleBench {
                 engine.read.into_iter().flat_map(|read| Coverage::guard_goals(read.guard())),
             );
             goals.extend(
-                ["cut.left", "cut.right", "cut.top", "cut.bottom", "box.empty"].map(Goal::new),
+                ["cut.left", "cut.right", "cut.top", "cut.bottom", "box.empty", "row.several-runs"]
+                    .map(Goal::new),
             );
             for edge in 0..3 {
                 goals.extend(["zero", "minus-one"].map(|at| Goal::new(format!("edge{edge}.{at}"))));

@@ -57,6 +57,9 @@ pub(in crate::vector) fn met(
     let edge = |edge: usize, x, y| super::signed(at(3 * edge, x, y), engine.edge);
     let inside = |x, y| (0..3).all(|n| edge(n, x, y) >= 0);
     let full = |length: u32| length.is_power_of_two() || (length - 1).is_power_of_two();
+    if drawing.spans.windows(2).any(|pair| pair[0].y == pair[1].y) {
+        met.meet("row.several-runs");
+    }
     for span in &drawing.spans {
         let length = span.x1 - span.x0;
         if full(length) {

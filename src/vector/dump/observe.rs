@@ -1,12 +1,15 @@
 //! What can be said of a dump without any cause: which columns differ and in which rows, by what
 //! relation, under what condition. Clause `N-14`.
 
+mod relation;
+
 use super::Subject;
 use super::compare::{Answer, by_test};
 use super::read::Dump;
 use crate::format::{Column, Role};
 use crate::vector::bench::TestAt;
 use crate::vector::table::unpack;
+use relation::Relations;
 use std::collections::BTreeMap;
 
 /// What was seen of one column.
@@ -39,26 +42,6 @@ pub struct Observed {
     pub trivial: bool,
 }
 
-/// Relations of what came to what was expected, that all differing rows of a column may have.
-#[derive(Clone, Debug)]
-struct Relations {
-    /// Bits that differ somewhere, and bits that differ everywhere.
-    any: u128,
-    all: u128,
-    /// The one difference, if there is one.
-    offset: Option<i128>,
-    constant: Option<u128>,
-    negated: bool,
-    complement: bool,
-    doubled: bool,
-    halved: bool,
-    last_row: bool,
-    last_test: bool,
-    others: Vec<usize>,
-    unknown: bool,
-    first: bool,
-}
-
 /// Conditions that may tell rows that differ from rows that agree.
 #[derive(Clone, Copy, Debug, Default)]
 struct Count {
@@ -68,105 +51,13 @@ struct Count {
     differ: u64,
 }
 
-impl Relations {
-    fn new(columns: usize) -> Self {
-        Self {
-            any: 0,
-            all: u128::MAX,
-            offset: None,
-            constant: None,
-            negated: true,
-            complement: true,
-            doubled: true,
-            halved: true,
-            last_row: true,
-            last_test: true,
-            others: (0..columns).collect(),
-            unknown: false,
-            first: true,
-        }
-    }
-
-    fn note(&mut self, column: &Column, k: usize, row: &Row<'_>) {
-        let (want, got) = (row.want[k], row.got[k]);
-        let mask = u128::MAX >> (128 - column.width);
-        self.any |= want ^ got;
-        self.all &= want ^ got;
-        // The nearer way round.
-        let signed = Column { signed: true, ..column.clone() };
-        let offset = super::explain::value(&signed, got.wrapping_sub(want) & mask);
-        if self.first {
-            (self.offset, self.constant) = (Some(offset), Some(got));
-        }
-        self.first = false;
-        self.offset = self.offset.filter(|seen| *seen == offset);
-        self.constant = self.constant.filter(|seen| *seen == got);
-        self.negated &= got == want.wrapping_neg() & mask;
-        self.complement &= got == !want & mask;
-        self.doubled &= got == want << 1 & mask;
-        self.halved &= got == want >> 1 || got == (want >> 1 | want & (1 << (column.width - 1)));
-        self.last_row &= row.last_row.is_some_and(|last| last[k] == got);
-        self.last_test &= row.last_test.is_some_and(|last| last[k] == got);
-        self.others.retain(|other| *other != k && row.want[*other] == got);
-        self.unknown |= row.unknown[k] != 0;
-    }
-
-    /// In words.
-    fn facts(&self, column: &Column, rows: u64, columns: &[Column]) -> Vec<String> {
-        if self.unknown {
-            return vec!["has unknown bits (X or Z)".to_owned()];
-        }
-        let mut facts = Vec::new();
-        if column.width > 1 {
-            if let Some(offset) = self.offset {
-                let unit = if column.fraction > 0 {
-                    format!(" of 2^-{}", column.fraction)
-                } else {
-                    String::new()
-                };
-                facts.push(format!("always off by {offset:+}{unit}"));
-            }
-            if let Some(constant) = self.constant.filter(|_| rows > 1) {
-                facts.push(format!("always {}", crate::bits::hex(constant, column.width)));
-            }
-            let named = [
-                (self.negated, "always with the sign turned"),
-                (self.complement, "always with every bit inverted"),
-                (self.doubled, "always twice what it should be"),
-                (self.halved, "always half of what it should be"),
-            ];
-            facts.extend(
-                named.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned()),
-            );
-            if self.last_row && rows > 1 {
-                facts.push("always what the row before should have".to_owned());
-            } else if self.last_test && rows > 1 {
-                facts.push("always what the record before should have".to_owned());
-            }
-            let others = self.others.iter().filter(|_| rows > 1).map(|other| &columns[*other]);
-            facts.extend(
-                others
-                    .filter(|other| other.width > 1)
-                    .map(|other| format!("always what {} should be", other.name)),
-            );
-            let (low, high) = (self.any.trailing_zeros(), 127 - self.any.leading_zeros());
-            if facts.is_empty() {
-                if low == high {
-                    facts.push(format!("only bit {low} ever differs"));
-                } else if high - low + 1 < column.width {
-                    facts.push(format!("only bits {low} to {high} ever differ"));
-                }
-            }
-        }
-        facts
-    }
-}
-
 /// A row and what is around it.
 struct Row<'a> {
     want: &'a [u128],
     got: &'a [u128],
     unknown: &'a [u128],
+    /// Whether the dump lets a column be compared at all.
+    compared: &'a [bool],
     last_row: Option<&'a [u128]>,
     last_test: Option<&'a [u128]>,
 }
@@ -212,7 +103,13 @@ pub(super) fn observe(subject: &Subject, dump: &Dump) -> Observed {
                 .collect();
             let unknown: Vec<u128> =
                 unknown.iter().zip(&ignored).map(|(unknown, ignored)| unknown & !ignored).collect();
+            let compared: Vec<bool> = columns
+                .iter()
+                .zip(&ignored)
+                .map(|(column, ignored)| *ignored != u128::MAX >> (128 - column.width))
+                .collect();
             let around = Row {
+                compared: &compared,
                 want: &want,
                 got: &got,
                 unknown: &unknown,
@@ -245,6 +142,8 @@ struct Seen {
     rows: Vec<u64>,
     /// For each column, conditions by name.
     conditions: Vec<BTreeMap<String, Count>>,
+    /// Whether a column was compared in any row.
+    compared: Vec<bool>,
     /// The word of each column, if it is the same in every row.
     constant: Vec<Option<u128>>,
 }
@@ -258,6 +157,7 @@ impl Seen {
             relations: vec![Relations::new(columns); columns],
             rows: vec![0; columns],
             conditions: vec![BTreeMap::new(); columns],
+            compared: vec![false; columns],
             constant: Vec::new(),
         }
     }
@@ -293,6 +193,7 @@ impl Seen {
                 self.rows[k] += 1;
                 self.relations[k].note(column, k, row);
             }
+            self.compared[k] |= row.compared[k];
             for name in &names {
                 if !self.conditions[k].contains_key(name.as_str()) {
                     self.conditions[k].insert(name.clone(), Count::default());
@@ -316,7 +217,7 @@ impl Seen {
         self.observed.trivial |= self.key > 0 && self.observed.rows + self.observed.extra == 0;
         for (k, column) in columns.iter().enumerate() {
             if self.rows[k] == 0 {
-                if k >= self.key {
+                if k >= self.key && self.compared[k] {
                     self.observed.agree.push(column.name.clone());
                 }
                 continue;

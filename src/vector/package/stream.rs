@@ -226,6 +226,7 @@ impl Stream<'_> {
                 ("OUTPUTS", each(&|answer| answer.connect()).trim_end_matches([',', '\n'])),
                 ("START", &each(&|answer| answer.start())),
                 ("WATCH", &each(&|answer| answer.fill(WATCH))),
+                ("CUT", &self.cut()),
                 ("FORGET", &each(&|answer| answer.fill(FORGET))),
                 ("READY", &all("", READY)),
                 ("COMPLETE", &complete.join(" && ")),
@@ -261,6 +262,14 @@ impl Stream<'_> {
 type Shown<'n> = (&'n str, u32, String);
 
 impl Stream<'_> {
+    /// Another record in the place of the next: where and what is drawn stays, so that the device has
+    /// something to work on; numbers, depths and vertices are others.
+    fn cut(&self) -> String {
+        let stays = |id: &str| id.starts_with("box") || id.starts_with("edge") || id == "zero_area";
+        let fields = self.cfg.fields.iter().filter(|field| !stays(&field.id));
+        fields.map(|field| format!("                    cfg.{0} = ~cfg.{0};\n", field.id)).collect()
+    }
+
     /// The columns as signals of their own names, each once: as a trace shows them.
     fn waves(&self) -> String {
         let mut shown: Vec<Shown> = Vec::new();

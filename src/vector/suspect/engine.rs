@@ -2,11 +2,13 @@
 //! the box's left side and along its rows, a walk over the box, and counters. Clauses `C-5`, `P-2`,
 //! `G-1` and `J-2`.
 
-use super::fault::{Operator, Path, Relation};
+mod plane;
+
+use super::fault::{Operator, Path, Relation, sign_extend};
 use super::stepper::{self, Stepper};
 use crate::case::engine::Engine as Widths;
-use crate::dda::Op;
 use crate::model::Span;
+use plane::{DEPTH, EDGE, Plane};
 
 /// A plain engine.
 #[derive(Clone, Copy, Debug)]
@@ -50,153 +52,9 @@ const HELD: [&str; 12] = [
     "the held depth_dy",
 ];
 
-/// A word over a box: a stepper down its left side, and one along a row.
-struct Plane<'p> {
-    path: &'p Path,
-    stepper: Stepper,
-    parts: &'static Parts,
-    words: [i128; 3],
-    side: i128,
-    run: i128,
-}
-
-/// What the parts of an evaluator are called.
-struct Parts {
-    module: &'static str,
-    across: &'static str,
-    down: &'static str,
-    across_by: &'static str,
-    down_by: &'static str,
-    across_sum: &'static str,
-    down_sum: &'static str,
-    row: &'static str,
-    row_from: &'static str,
-    side_moves: &'static str,
-    run_moves: &'static str,
-    run_steps: &'static str,
-    side_steps: &'static str,
-}
-
-const EDGE: Parts = Parts {
-    module: "edge_evaluator",
-    across: "edge dx times the box's x",
-    down: "edge dy times the box's y",
-    across_by: "what edge dx is multiplied by",
-    down_by: "what edge dy is multiplied by",
-    across_sum: "the edge word at the corner, across",
-    down_sum: "the edge word at the corner, down",
-    row: "the edge word of the next row",
-    row_from: "what an edge's row begins from",
-    side_moves: "operation of an edge's left side",
-    run_moves: "operation along an edge's row",
-    run_steps: "what an edge steps by along a row",
-    side_steps: "what an edge steps by down the side",
-};
-
-const DEPTH: Parts = Parts {
-    module: "depth_evaluator",
-    across: "depth dx times the box's x",
-    down: "depth dy times the box's y",
-    across_by: "what depth dx is multiplied by",
-    down_by: "what depth dy is multiplied by",
-    across_sum: "the depth at the corner, across",
-    down_sum: "the depth at the corner, down",
-    row: "the depth of the next row",
-    row_from: "what a depth row begins from",
-    side_moves: "operation of the depth's left side",
-    run_moves: "operation along a depth row",
-    run_steps: "what depth steps by along a row",
-    side_steps: "what depth steps by down the side",
-};
-
-impl<'p> Plane<'p> {
-    /// At the corner of the box.
-    fn new(
-        path: &'p Path,
-        (stepper, parts): (Stepper, &'static Parts),
-        words: [i128; 3],
-        corner: [i128; 2],
-    ) -> Self {
-        path.within(parts.module, || Self::at_corner(path, (stepper, parts), words, corner))
-    }
-
-    fn at_corner(
-        path: &'p Path,
-        (stepper, parts): (Stepper, &'static Parts),
-        words: [i128; 3],
-        [x, y]: [i128; 2],
-    ) -> Self {
-        let [init, dx, dy] = words;
-        let (x_name, y_name) = (("the box's x", x), ("the box's y", y));
-        let x = path.choose(
-            parts.across_by,
-            0,
-            [x_name, y_name, ("zero", 0), ("the box's x and one", x + 1)],
-        );
-        let y = path.choose(
-            parts.down_by,
-            0,
-            [y_name, x_name, ("zero", 0), ("the box's y and one", y + 1)],
-        );
-        let across = path.product(parts.across, dx, x);
-        let down = path.product(parts.down, dy, y);
-        let corner = path.sum(parts.across_sum, Operator::Add, [init, across], stepper.width);
-        let corner = path.sum(parts.down_sum, Operator::Add, [corner, down], stepper.width);
-        let mut plane = Self { path, stepper, parts, words, side: 0, run: 0 };
-        plane.side = plane.clock(plane.side, Op::Load, corner, true);
-        plane.run = plane.clock(plane.run, Op::Load, corner, false);
-        plane
-    }
-
-    fn clock(&self, word: i128, op: Op, init: i128, side: bool) -> i128 {
-        let [_, dx, dy] = self.words;
-        let steps = if side { self.parts.side_steps } else { self.parts.run_steps };
-        let (own, other) = if side { (("dy", dy), ("dx", dx)) } else { (("dx", dx), ("dy", dy)) };
-        let step = self.path.choose(steps, 0, [own, other]);
-        let (dx, dy) = if side { (dx, step) } else { (step, dy) };
-        self.stepper.clock(self.path, word, op, [init, dx, dy])
-    }
-
-    /// To the next row.
-    fn down(&mut self) {
-        let path = self.path;
-        path.within(self.parts.module, || self.move_down());
-    }
-
-    fn move_down(&mut self) {
-        let moves = self.path.choose(
-            self.parts.side_moves,
-            0,
-            [("a step down at the end of a row", 0), ("a hold", 1), ("a step right", 2)],
-        );
-        let [_, _, dy] = self.words;
-        let from = self.path.choose(
-            self.parts.row_from,
-            0,
-            [("the left side", self.side), ("the end of the row above", self.run)],
-        );
-        let left = self.path.sum(self.parts.row, Operator::Add, [from, dy], self.stepper.width);
-        let op = [Op::StepY, Op::Hold, Op::StepX][usize::try_from(moves).unwrap_or_default()];
-        self.side = self.clock(self.side, op, 0, true);
-        self.run = self.clock(self.run, Op::Load, left, false);
-    }
-
-    /// To the next sample.
-    fn right(&mut self) {
-        let path = self.path;
-        path.within(self.parts.module, || self.move_right());
-    }
-
-    fn move_right(&mut self) {
-        let moves = self.path.choose(
-            self.parts.run_moves,
-            0,
-            [("a step right after a sample", 0), ("a hold", 1), ("a step down", 2)],
-        );
-        let op = [Op::StepX, Op::Hold, Op::StepY][usize::try_from(moves).unwrap_or_default()];
-        self.run = self.clock(self.run, op, 0, false);
-    }
-}
+/// The sign tests, each alone.
+const SIGNS: [&str; 3] =
+    ["the sign test of edge 0", "the sign test of edge 1", "the sign test of edge 2"];
 
 /// Held words, each perhaps in the place of another.
 fn exchanged(path: &Path, held: &[i128]) -> Vec<i128> {
@@ -305,7 +163,13 @@ impl Engine {
         for _ in 0..most {
             let at_end =
                 path.compare("end of a row: x and the right side", x, Relation::Equal, right);
-            let inside = [0, 1, 2].map(|k| stepper::inside(path, self.widths.edge, edges[k].run));
+            let inside = [0, 1, 2].map(|k| {
+                let together = stepper::inside(path, self.widths.edge, edges[k].run);
+                // One of three may be tested otherwise than its fellows.
+                let word = sign_extend(edges[k].run, self.widths.edge);
+                let alone = path.compare(SIGNS[k], word, Relation::GreaterOrEqual, 0);
+                if alone == (word >= 0) { together } else { alone }
+            });
             let inside = path.all("inside all three edges", inside);
             let covered = path.when(
                 "a sample is covered",
@@ -320,8 +184,10 @@ impl Engine {
                 }
                 if let (Some(plane), Some(read)) = (&plane, self.widths.read) {
                     let value = stepper::read(path, read, plane.run);
-                    let sample_x = path.sum("x of a sample", Operator::Add, [x, 0], 2);
-                    let sample_y = path.sum("y of a sample", Operator::Add, [y, 0], 2);
+                    let x = path.number("columns of samples and runs", x);
+                    let y = path.number("rows of samples and runs", y);
+                    let sample_x = path.word("x of a sample", x, PIXEL);
+                    let sample_y = path.word("y of a sample", y, PIXEL);
                     answer.depths.push((
                         pixel(sample_x),
                         pixel(sample_y),
@@ -331,9 +197,11 @@ impl Engine {
             }
             if closes {
                 kept.spans = path.sum("the counter of spans", Operator::Add, [kept.spans, 1], 32);
-                let begin = path.sum("the left end of a run", Operator::Add, [first, 0], 2);
-                let end = path.sum("the right end of a run", Operator::Add, [x, 0], 2);
-                let row = path.sum("y of a run", Operator::Add, [y, 0], 2);
+                let [first, x] = [first, x].map(|x| path.number("columns of samples and runs", x));
+                let y = path.number("rows of samples and runs", y);
+                let begin = path.word("the left end of a run", first, PIXEL);
+                let end = path.word("the right end of a run", x, PIXEL);
+                let row = path.word("y of a run", y, PIXEL);
                 answer.spans.push(Span { y: pixel(row), x0: pixel(begin), x1: pixel(end) });
             }
             in_run = path.when("samples so far are a run", covered);

@@ -15,6 +15,7 @@ pub(super) struct Names {
     addend: &'static str,
     addend_late: &'static str,
     sum_late: &'static str,
+    steps: &'static str,
     init: &'static str,
     dx: &'static str,
     dy: &'static str,
@@ -31,6 +32,7 @@ pub(super) const DEPTH: Names = Names {
     addend: "second operand of the DDA's adder",
     addend_late: "the second operand of the DDA's adder",
     sum_late: "the sum in the DDA",
+    steps: "what steps of the DDA are",
     init: "init in the DDA",
     dx: "dx in the DDA",
     dy: "dy in the DDA",
@@ -47,6 +49,7 @@ pub(super) const EDGE: Names = Names {
     addend: "second operand of the edge adder",
     addend_late: "the second operand of the edge adder",
     sum_late: "the edge sum",
+    steps: "what steps of the edge stepper are",
     init: "init in the edge stepper",
     dx: "dx in the edge stepper",
     dy: "dy in the edge stepper",
@@ -114,6 +117,9 @@ impl Stepper {
         ];
         let addend = path.choose_near(names.addend, pick, operands, near);
         let addend = path.clocked(names.addend_late, addend);
+        let step = [("added", addend), ("subtracted", addend.wrapping_neg())];
+        let addend =
+            if pick == 0 { addend } else { path.choose_near(names.steps, 0, [step[0]], [step[1]]) };
         let sum = path.sum(names.adder, Operator::Add, [base, addend], self.width);
         let sum = path.clocked(names.sum_late, sum);
         let next = self
@@ -196,10 +202,11 @@ fn read_out(path: &Path, read: ReadOut, word: i128) -> i128 {
     } else {
         2
     };
-    let out = path.choose(
+    let out = path.choose_near(
         "what is read out",
         pick,
         [("zero", 0), ("the maximum", low_ones(integer)), ("the integer bits", u)],
+        [("the maximum less one", low_ones(integer) - 1), ("one", 1)],
     );
     path.word("the read-out's output", out, integer)
 }

@@ -40,11 +40,8 @@ impl Suspects for WalkBench {
                 unit.shown(path, word);
             }
         });
-        list.extend(
-            faults
-                .into_iter()
-                .map(|fault| Suspect::at(self, &fault, Faulty::new(Unit::new(kind, read), &fault))),
-        );
+        let faulty = |fault| Faulty::new(Unit::new(kind, read), fault);
+        list.extend(faults.iter().map(|fault| Suspect::at(self, fault, faulty(fault))));
         list
     }
 }

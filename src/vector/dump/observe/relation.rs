@@ -1,0 +1,121 @@
+//! By what relation a column differs.
+
+use super::Row;
+use crate::format::Column;
+
+/// Relations of what came to what was expected, that all differing rows of a column may have.
+#[derive(Clone, Debug)]
+pub(super) struct Relations {
+    /// Bits that differ somewhere, and bits that differ everywhere.
+    any: u128,
+    all: u128,
+    /// The one difference, if there is one.
+    offset: Option<i128>,
+    constant: Option<u128>,
+    negated: bool,
+    complement: bool,
+    doubled: bool,
+    halved: bool,
+    last_row: bool,
+    last_test: bool,
+    others: Vec<usize>,
+    /// Rows with unknown bits.
+    unknown: u64,
+    first: bool,
+}
+
+impl Relations {
+    pub(super) fn new(columns: usize) -> Self {
+        Self {
+            any: 0,
+            all: u128::MAX,
+            offset: None,
+            constant: None,
+            negated: true,
+            complement: true,
+            doubled: true,
+            halved: true,
+            last_row: true,
+            last_test: true,
+            others: (0..columns).collect(),
+            unknown: 0,
+            first: true,
+        }
+    }
+
+    pub(super) fn note(&mut self, column: &Column, k: usize, row: &Row<'_>) {
+        let (want, got) = (row.want[k], row.got[k]);
+        let mask = u128::MAX >> (128 - column.width);
+        self.any |= want ^ got;
+        self.all &= want ^ got;
+        let value = |word| super::super::explain::value(column, word);
+        let offset = value(got).wrapping_sub(value(want));
+        if self.first {
+            (self.offset, self.constant) = (Some(offset), Some(got));
+        }
+        self.first = false;
+        self.offset = self.offset.filter(|seen| *seen == offset);
+        self.constant = self.constant.filter(|seen| *seen == got);
+        self.negated &= got == want.wrapping_neg() & mask;
+        self.complement &= got == !want & mask;
+        self.doubled &= want != 0 && got == want << 1;
+        self.halved &= got == want >> 1 || got == (want >> 1 | want & (1 << (column.width - 1)));
+        self.last_row &= row.last_row.is_some_and(|last| last[k] == got);
+        self.last_test &= row.last_test.is_some_and(|last| last[k] == got);
+        self.others.retain(|other| *other != k && row.want[*other] == got);
+        self.unknown += u64::from(row.unknown[k] != 0);
+    }
+
+    /// In words.
+    pub(super) fn facts(&self, column: &Column, rows: u64, columns: &[Column]) -> Vec<String> {
+        if self.unknown == rows {
+            return vec!["unknown bits (X or Z) in all of them".to_owned()];
+        }
+        if self.unknown > 0 {
+            return vec![format!("unknown bits (X or Z) in {} of them", self.unknown)];
+        }
+        let mut facts = Vec::new();
+        if column.width > 1 {
+            if let Some(constant) = self.constant.filter(|_| rows > 1) {
+                return vec![format!("always {}", crate::bits::hex(constant, column.width))];
+            }
+            if let Some(offset) = self.offset {
+                let unit = if column.fraction > 0 {
+                    format!(" of 2^-{}", column.fraction)
+                } else {
+                    String::new()
+                };
+                facts.push(format!("always off by {offset:+}{unit}"));
+            }
+            let named = [
+                (self.negated, "always with the sign turned"),
+                (self.complement, "always with every bit inverted"),
+                (self.doubled, "always twice what it should be"),
+                (self.halved, "always half of what it should be"),
+            ];
+            facts.extend(
+                named.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned()),
+            );
+            if self.last_row && rows > 1 {
+                facts.push("always what the row before should have".to_owned());
+            } else if self.last_test && rows > 1 {
+                facts.push("always what the record before should have".to_owned());
+            }
+            let others = self.others.iter().filter(|_| rows > 1).map(|other| &columns[*other]);
+            facts.extend(
+                others
+                    .filter(|other| other.width > 1)
+                    .map(|other| format!("always what {} should be", other.name)),
+            );
+            let (low, high) = (self.any.trailing_zeros(), 127 - self.any.leading_zeros());
+            if facts.is_empty() {
+                if low == high {
+                    facts.push(format!("only bit {low} ever differs"));
+                } else if high - low + 1 < column.width {
+                    facts.push(format!("only bits {low} to {high} ever differ"));
+                }
+            }
+        }
+        facts
+    }
+}

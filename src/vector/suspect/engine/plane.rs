@@ -1,0 +1,161 @@
+//! A word over a box: the evaluators of an edge and of depth.
+
+use super::PIXEL;
+use crate::dda::Op;
+use crate::vector::suspect::fault::{Operator, Path};
+use crate::vector::suspect::stepper::Stepper;
+
+/// A word over a box: a stepper down its left side, and one along a row.
+pub(super) struct Plane<'p> {
+    path: &'p Path,
+    stepper: Stepper,
+    parts: &'static Parts,
+    words: [i128; 3],
+    side: i128,
+    pub(super) run: i128,
+}
+
+/// What the parts of an evaluator are called.
+pub(super) struct Parts {
+    module: &'static str,
+    across: &'static str,
+    down: &'static str,
+    x: &'static str,
+    y: &'static str,
+    across_by: &'static str,
+    down_by: &'static str,
+    across_sum: &'static str,
+    down_sum: &'static str,
+    row: &'static str,
+    row_from: &'static str,
+    side_moves: &'static str,
+    run_moves: &'static str,
+    run_steps: &'static str,
+    side_steps: &'static str,
+}
+
+pub(super) const EDGE: Parts = Parts {
+    module: "edge_evaluator",
+    across: "edge dx times the box's x",
+    down: "edge dy times the box's y",
+    x: "x in edge dx times x",
+    y: "y in edge dy times y",
+    across_by: "what edge dx is multiplied by",
+    down_by: "what edge dy is multiplied by",
+    across_sum: "the edge word at the corner, across",
+    down_sum: "the edge word at the corner, down",
+    row: "the edge word of the next row",
+    row_from: "what an edge's row begins from",
+    side_moves: "operation of an edge's left side",
+    run_moves: "operation along an edge's row",
+    run_steps: "what an edge steps by along a row",
+    side_steps: "what an edge steps by down the side",
+};
+
+pub(super) const DEPTH: Parts = Parts {
+    module: "depth_evaluator",
+    across: "depth dx times the box's x",
+    down: "depth dy times the box's y",
+    x: "x in depth dx times x",
+    y: "y in depth dy times y",
+    across_by: "what depth dx is multiplied by",
+    down_by: "what depth dy is multiplied by",
+    across_sum: "the depth at the corner, across",
+    down_sum: "the depth at the corner, down",
+    row: "the depth of the next row",
+    row_from: "what a depth row begins from",
+    side_moves: "operation of the depth's left side",
+    run_moves: "operation along a depth row",
+    run_steps: "what depth steps by along a row",
+    side_steps: "what depth steps by down the side",
+};
+
+impl<'p> Plane<'p> {
+    /// At the corner of the box.
+    pub(super) fn new(
+        path: &'p Path,
+        (stepper, parts): (Stepper, &'static Parts),
+        words: [i128; 3],
+        corner: [i128; 2],
+    ) -> Self {
+        path.within(parts.module, || Self::at_corner(path, (stepper, parts), words, corner))
+    }
+
+    fn at_corner(
+        path: &'p Path,
+        (stepper, parts): (Stepper, &'static Parts),
+        words: [i128; 3],
+        [x, y]: [i128; 2],
+    ) -> Self {
+        let [init, dx, dy] = words;
+        let (x_name, y_name) = (("the box's x", x), ("the box's y", y));
+        let x = path.choose(
+            parts.across_by,
+            0,
+            [x_name, y_name, ("zero", 0), ("the box's x and one", x + 1)],
+        );
+        let y = path.choose(
+            parts.down_by,
+            0,
+            [y_name, x_name, ("zero", 0), ("the box's y and one", y + 1)],
+        );
+        let (x, y) = (path.word(parts.x, x, PIXEL), path.word(parts.y, y, PIXEL));
+        let across = path.product(parts.across, dx, x);
+        let down = path.product(parts.down, dy, y);
+        let corner = path.sum(parts.across_sum, Operator::Add, [init, across], stepper.width);
+        let corner = path.sum(parts.down_sum, Operator::Add, [corner, down], stepper.width);
+        let mut plane = Self { path, stepper, parts, words, side: 0, run: 0 };
+        plane.side = plane.clock(plane.side, Op::Load, corner, true);
+        plane.run = plane.clock(plane.run, Op::Load, corner, false);
+        plane
+    }
+
+    fn clock(&self, word: i128, op: Op, init: i128, side: bool) -> i128 {
+        let [_, dx, dy] = self.words;
+        let steps = if side { self.parts.side_steps } else { self.parts.run_steps };
+        let (own, other) = if side { (("dy", dy), ("dx", dx)) } else { (("dx", dx), ("dy", dy)) };
+        let step = self.path.choose(steps, 0, [own, other]);
+        let (dx, dy) = if side { (dx, step) } else { (step, dy) };
+        self.stepper.clock(self.path, word, op, [init, dx, dy])
+    }
+
+    /// To the next row.
+    pub(super) fn down(&mut self) {
+        let path = self.path;
+        path.within(self.parts.module, || self.move_down());
+    }
+
+    fn move_down(&mut self) {
+        let moves = self.path.choose(
+            self.parts.side_moves,
+            0,
+            [("a step down at the end of a row", 0), ("a hold", 1), ("a step right", 2)],
+        );
+        let [_, _, dy] = self.words;
+        let from = self.path.choose(
+            self.parts.row_from,
+            0,
+            [("the left side", self.side), ("the end of the row above", self.run)],
+        );
+        let left = self.path.sum(self.parts.row, Operator::Add, [from, dy], self.stepper.width);
+        let op = [Op::StepY, Op::Hold, Op::StepX][usize::try_from(moves).unwrap_or_default()];
+        self.side = self.clock(self.side, op, 0, true);
+        self.run = self.clock(self.run, Op::Load, left, false);
+    }
+
+    /// To the next sample.
+    pub(super) fn right(&mut self) {
+        let path = self.path;
+        path.within(self.parts.module, || self.move_right());
+    }
+
+    fn move_right(&mut self) {
+        let moves = self.path.choose(
+            self.parts.run_moves,
+            0,
+            [("a step right after a sample", 0), ("a hold", 1), ("a step down", 2)],
+        );
+        let op = [Op::StepX, Op::Hold, Op::StepY][usize::try_from(moves).unwrap_or_default()];
+        self.run = self.clock(self.run, op, 0, false);
+    }
+}
