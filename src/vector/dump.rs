@@ -5,6 +5,7 @@ mod compare;
 mod explain;
 mod observe;
 mod origin;
+mod place;
 mod read;
 
 pub use observe::{Differs, Observed};
@@ -254,7 +255,7 @@ fn diagnose(judged: &mut [Judged]) {
         let all: Vec<&Judged> =
             judged.iter().filter(|judged| judged.subject.bench.name() == name).collect();
         let causes = explain::causes(&all, &sound);
-        let placed = explain::place((&differing, &all), &causes, &sound, &broken);
+        let placed = place::place((&differing, &all), &causes, &sound, &broken);
         let trivial = differing.iter().all(|judged| judged.report.observed.trivial);
         found.push((n, causes, placed, trivial));
     }

@@ -999,7 +999,7 @@ mod command {
     fn only_prints_the_rows_that_the_set_has_for_a_test() {
         let home = tempfile::tempdir().unwrap();
         for profile in ["tiny", "sgi-4k"] {
-            let set = write_set(&set::profile(profile), "fan", &options(4500));
+            let set = write_set(&set::profile(profile), "fan", &options(6000));
             for bench in ["dda", "edge", "setup", "triangle"] {
                 let mut first = 0;
                 for group in set.manifest.groups.iter().filter(|group| group.bench == bench) {
@@ -1009,7 +1009,7 @@ mod command {
                     for index in [0, last / 2, last] {
                         let id = format!("{bench}/{}/{index}", group.tag);
                         let arguments =
-                            format!("vectors {profile} --scene fan --count 4500 --only {id}");
+                            format!("vectors {profile} --scene fan --count 6000 --only {id}");
                         let ran = run_in(home.path(), &arguments).ends(0);
                         let lines: Vec<&str> = ran.out.lines().collect();
                         let number = usize::try_from(first + index).unwrap();

@@ -426,7 +426,7 @@ static inline int guardbit_setup_exp_parse(const char *line, struct guardbit_set
 }
 
 /* triangle.cfg.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_TRIANGLE_CFG_ROWS UINT64_C(862)
+#define GUARDBIT_TRIANGLE_CFG_ROWS UINT64_C(871)
 #define GUARDBIT_TRIANGLE_CFG_LINE 71
 #define GUARDBIT_TRIANGLE_CFG_BITS 212
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -583,7 +583,7 @@ static inline int guardbit_triangle_cfg_parse(const char *line, struct guardbit_
 }
 
 /* triangle.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_TRIANGLE_EXP_ROWS UINT64_C(862)
+#define GUARDBIT_TRIANGLE_EXP_ROWS UINT64_C(871)
 #define GUARDBIT_TRIANGLE_EXP_LINE 65
 #define GUARDBIT_TRIANGLE_EXP_BITS 228
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -660,7 +660,7 @@ static inline int guardbit_triangle_exp_parse(const char *line, struct guardbit_
 }
 
 /* span.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_SPAN_EXP_ROWS UINT64_C(1528)
+#define GUARDBIT_SPAN_EXP_ROWS UINT64_C(1579)
 #define GUARDBIT_SPAN_EXP_LINE 27
 #define GUARDBIT_SPAN_EXP_BITS 92
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */
@@ -705,7 +705,7 @@ static inline int guardbit_span_exp_parse(const char *line, struct guardbit_span
 }
 
 /* depth.exp.tv: rows, characters of a line with its newline, bits of a record */
-#define GUARDBIT_DEPTH_EXP_ROWS UINT64_C(3861)
+#define GUARDBIT_DEPTH_EXP_ROWS UINT64_C(3944)
 #define GUARDBIT_DEPTH_EXP_LINE 23
 #define GUARDBIT_DEPTH_EXP_BITS 76
 /* test: unsigned, width 32, fraction bits 0. Number of the test, from 0. */

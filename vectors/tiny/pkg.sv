@@ -290,7 +290,7 @@ package guardbit_pkg;
     } setup_exp_t;
 
     // triangle.cfg.tv
-    localparam logic [63:0] TRIANGLE_CFG_ROWS = 64'd862;
+    localparam logic [63:0] TRIANGLE_CFG_ROWS = 64'd871;
     localparam int TRIANGLE_CFG_LINE = 71;  // characters of a line with its newline
     localparam int TRIANGLE_CFG_BITS = 212;  // four a digit
     localparam logic [211:0] TRIANGLE_CFG_PADS = 212'h00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000;  // zero in every record
@@ -405,7 +405,7 @@ package guardbit_pkg;
     } triangle_cfg_t;
 
     // triangle.exp.tv
-    localparam logic [63:0] TRIANGLE_EXP_ROWS = 64'd862;
+    localparam logic [63:0] TRIANGLE_EXP_ROWS = 64'd871;
     localparam int TRIANGLE_EXP_LINE = 65;  // characters of a line with its newline
     localparam int TRIANGLE_EXP_BITS = 228;  // four a digit
     localparam logic [227:0] TRIANGLE_EXP_PADS = 228'h00000000000000000000000000000000000000000000000000000000e;  // zero in every record
@@ -454,7 +454,7 @@ package guardbit_pkg;
     } triangle_exp_t;
 
     // span.exp.tv
-    localparam logic [63:0] SPAN_EXP_ROWS = 64'd1528;
+    localparam logic [63:0] SPAN_EXP_ROWS = 64'd1579;
     localparam int SPAN_EXP_LINE = 27;  // characters of a line with its newline
     localparam int SPAN_EXP_BITS = 92;  // four a digit
     localparam logic [91:0] SPAN_EXP_PADS = 92'h00000000e0000e0000e0000;  // zero in every record
@@ -485,7 +485,7 @@ package guardbit_pkg;
     } span_exp_t;
 
     // depth.exp.tv
-    localparam logic [63:0] DEPTH_EXP_ROWS = 64'd3861;
+    localparam logic [63:0] DEPTH_EXP_ROWS = 64'd3944;
     localparam int DEPTH_EXP_LINE = 23;  // characters of a line with its newline
     localparam int DEPTH_EXP_BITS = 76;  // four a digit
     localparam logic [75:0] DEPTH_EXP_PADS = 76'h00000000e0000e00008;  // zero in every record

@@ -320,7 +320,7 @@
 `define GUARDBIT_SETUP_EXP_ZERO_AREA(row) row[0:0]
 
 // triangle.cfg.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_TRIANGLE_CFG_ROWS 64'd862
+`define GUARDBIT_TRIANGLE_CFG_ROWS 64'd871
 `define GUARDBIT_TRIANGLE_CFG_LINE 71
 `define GUARDBIT_TRIANGLE_CFG_BITS 212
 `define GUARDBIT_TRIANGLE_CFG_PADS 212'h00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000
@@ -452,7 +452,7 @@
 `define GUARDBIT_TRIANGLE_CFG_BOX_X_END(row) row[16:0]
 
 // triangle.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_TRIANGLE_EXP_ROWS 64'd862
+`define GUARDBIT_TRIANGLE_EXP_ROWS 64'd871
 `define GUARDBIT_TRIANGLE_EXP_LINE 65
 `define GUARDBIT_TRIANGLE_EXP_BITS 228
 `define GUARDBIT_TRIANGLE_EXP_PADS 228'h00000000000000000000000000000000000000000000000000000000e
@@ -514,7 +514,7 @@
 `define GUARDBIT_TRIANGLE_EXP_ZERO_AREA(row) row[0:0]
 
 // span.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_SPAN_EXP_ROWS 64'd1528
+`define GUARDBIT_SPAN_EXP_ROWS 64'd1579
 `define GUARDBIT_SPAN_EXP_LINE 27
 `define GUARDBIT_SPAN_EXP_BITS 92
 `define GUARDBIT_SPAN_EXP_PADS 92'h00000000e0000e0000e0000
@@ -548,7 +548,7 @@
 `define GUARDBIT_SPAN_EXP_X_END(row) row[16:0]
 
 // depth.exp.tv: rows, characters of a line with its newline, bits of a record
-`define GUARDBIT_DEPTH_EXP_ROWS 64'd3861
+`define GUARDBIT_DEPTH_EXP_ROWS 64'd3944
 `define GUARDBIT_DEPTH_EXP_LINE 23
 `define GUARDBIT_DEPTH_EXP_BITS 76
 `define GUARDBIT_DEPTH_EXP_PADS 76'h00000000e0000e00008

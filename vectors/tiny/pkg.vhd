@@ -268,7 +268,7 @@ package guardbit_pkg is
     function to_setup_exp(bits : std_logic_vector) return setup_exp_t;
 
     -- triangle.cfg.tv: rows, characters of a line without its newline, bits of a record
-    constant TRIANGLE_CFG_ROWS : unsigned(63 downto 0) := x"000000000000035e";  -- 862
+    constant TRIANGLE_CFG_ROWS : unsigned(63 downto 0) := x"0000000000000367";  -- 871
     constant TRIANGLE_CFG_LINE : positive := 70;
     constant TRIANGLE_CFG_BITS : positive := 212;
     constant TRIANGLE_CFG_PADS : std_logic_vector(211 downto 0) := x"00000000c0c0c0c0c0c0c0c0c0808080ee0000e0000e0000e0000";
@@ -367,7 +367,7 @@ package guardbit_pkg is
     function to_triangle_cfg(bits : std_logic_vector) return triangle_cfg_t;
 
     -- triangle.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant TRIANGLE_EXP_ROWS : unsigned(63 downto 0) := x"000000000000035e";  -- 862
+    constant TRIANGLE_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000367";  -- 871
     constant TRIANGLE_EXP_LINE : positive := 64;
     constant TRIANGLE_EXP_BITS : positive := 228;
     constant TRIANGLE_EXP_PADS : std_logic_vector(227 downto 0) := x"00000000000000000000000000000000000000000000000000000000e";
@@ -416,7 +416,7 @@ package guardbit_pkg is
     function to_triangle_exp(bits : std_logic_vector) return triangle_exp_t;
 
     -- span.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant SPAN_EXP_ROWS : unsigned(63 downto 0) := x"00000000000005f8";  -- 1528
+    constant SPAN_EXP_ROWS : unsigned(63 downto 0) := x"000000000000062b";  -- 1579
     constant SPAN_EXP_LINE : positive := 26;
     constant SPAN_EXP_BITS : positive := 92;
     constant SPAN_EXP_PADS : std_logic_vector(91 downto 0) := x"00000000e0000e0000e0000";
@@ -445,7 +445,7 @@ package guardbit_pkg is
     function to_span_exp(bits : std_logic_vector) return span_exp_t;
 
     -- depth.exp.tv: rows, characters of a line without its newline, bits of a record
-    constant DEPTH_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000f15";  -- 3861
+    constant DEPTH_EXP_ROWS : unsigned(63 downto 0) := x"0000000000000f68";  -- 3944
     constant DEPTH_EXP_LINE : positive := 22;
     constant DEPTH_EXP_BITS : positive := 76;
     constant DEPTH_EXP_PADS : std_logic_vector(75 downto 0) := x"00000000e0000e00008";

@@ -151,7 +151,7 @@ module dda_check (
     longint unsigned was_walk, was_row, was_line;
 
     // One walk in 64 begins with a reset in the middle of a step, which leaves zero behind. Not with
-    // +no-reset, nor where answers take their time or have a valid.
+    // +no-reset, +dump or +vcd, nor where answers take their time or have a valid.
     reg resets;
     reg restarting;
 
@@ -205,12 +205,12 @@ module dda_check (
             $display("FAIL +latency=%0d: 0 to %0d is possible", latency, MOST - 1);
             $fatal(1, "bad latency");
         end
-        resets = !$test$plusargs("no-reset") && !$test$plusargs("vcd") && latency == 0;
+        stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
+        resets = !$test$plusargs("no-reset") && stalls && latency == 0;
 `ifdef GUARDBIT_VALID
         resets = 1'b0;
 `endif
         restarting = 1'b0;
-        stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
         if ($test$plusargs("dump")) dump = $fopen("dda.exp.dut.tv", "w");
     end
 
@@ -439,7 +439,7 @@ module edge_check (
     longint unsigned was_walk, was_row, was_line;
 
     // One walk in 64 begins with a reset in the middle of a step, which leaves zero behind. Not with
-    // +no-reset, nor where answers take their time or have a valid.
+    // +no-reset, +dump or +vcd, nor where answers take their time or have a valid.
     reg resets;
     reg restarting;
 
@@ -493,12 +493,12 @@ module edge_check (
             $display("FAIL +latency=%0d: 0 to %0d is possible", latency, MOST - 1);
             $fatal(1, "bad latency");
         end
-        resets = !$test$plusargs("no-reset") && !$test$plusargs("vcd") && latency == 0;
+        stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
+        resets = !$test$plusargs("no-reset") && stalls && latency == 0;
 `ifdef GUARDBIT_VALID
         resets = 1'b0;
 `endif
         restarting = 1'b0;
-        stalls = !$test$plusargs("dump") && !$test$plusargs("vcd");
         if ($test$plusargs("dump")) dump = $fopen("edge.exp.dut.tv", "w");
     end
 
@@ -707,8 +707,8 @@ module setup_check (
     integer extras;                         // answers that belong to no row
     integer beat;
     reg [15:0] noise;
-    // Before some records the device is given another, every bit of it turned, and a reset while it works
-    // on that. Nothing of it may be seen. Not with +no-reset.
+    // Before some records the device is given another, with other words, and a reset while it works on
+    // that. Nothing of it may be seen. Not with +no-reset, +dump or +vcd.
     reg cuts;
     reg cutting;                            // the other record is in: no answer is taken
     integer cut_left;                       // clocks until the reset
@@ -936,7 +936,7 @@ module setup_check (
         noise = 16'hace1;
         cfg = 0;
         cfg_bits = 0;
-        cuts = !$test$plusargs("no-reset") && !$test$plusargs("vcd");
+        cuts = !$test$plusargs("no-reset") && !$test$plusargs("dump") && !$test$plusargs("vcd");
         cutting = 1'b0;
         cut_left = 0;
         o_ready = 1'b0;
@@ -1010,7 +1010,7 @@ module setup_check (
                 cut_left = cut_left - 1;
                 rst = cut_left == 0;
             end
-            else if (taken && cutting) cut_left = 1 + noise[1:0];
+            else if (taken && cutting) cut_left = 1 + noise[4:0];
         o_ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
             if (taken) begin
@@ -1029,7 +1029,17 @@ module setup_check (
                     cfg_file.nibbles[11:8]};
                 cfg = cfg_bits;
                 if (|(cfg_bits & SETUP_CFG_PADS)) cfg_file.over_wide;
-                if (cutting) cfg = ~cfg_bits;
+                if (cutting) begin
+                    cfg.v0_x = ~cfg.v0_x;
+                    cfg.v0_y = ~cfg.v0_y;
+                    cfg.v0_z = ~cfg.v0_z;
+                    cfg.v1_x = ~cfg.v1_x;
+                    cfg.v1_y = ~cfg.v1_y;
+                    cfg.v1_z = ~cfg.v1_z;
+                    cfg.v2_x = ~cfg.v2_x;
+                    cfg.v2_y = ~cfg.v2_y;
+                    cfg.v2_z = ~cfg.v2_z;
+                end
                 in_valid = 1'b1;
             end
             // Some clocks more show what comes too much.
@@ -1079,8 +1089,8 @@ module triangle_check (
     integer extras;                         // answers that belong to no row
     integer beat;
     reg [15:0] noise;
-    // Before some records the device is given another, every bit of it turned, and a reset while it works
-    // on that. Nothing of it may be seen. Not with +no-reset.
+    // Before some records the device is given another, with other words, and a reset while it works on
+    // that. Nothing of it may be seen. Not with +no-reset, +dump or +vcd.
     reg cuts;
     reg cutting;                            // the other record is in: no answer is taken
     integer cut_left;                       // clocks until the reset
@@ -1564,7 +1574,7 @@ module triangle_check (
         noise = 16'hace1;
         cfg = 0;
         cfg_bits = 0;
-        cuts = !$test$plusargs("no-reset") && !$test$plusargs("vcd");
+        cuts = !$test$plusargs("no-reset") && !$test$plusargs("dump") && !$test$plusargs("vcd");
         cutting = 1'b0;
         cut_left = 0;
         any_order = 1'b0;
@@ -1668,7 +1678,7 @@ module triangle_check (
                 cut_left = cut_left - 1;
                 rst = cut_left == 0;
             end
-            else if (taken && cutting) cut_left = 1 + noise[1:0];
+            else if (taken && cutting) cut_left = 1 + noise[4:0];
         span_ready = !stalls && !cutting;
         noise = {noise[14:0], noise[15] ^ noise[13] ^ noise[12] ^ noise[10]};
         sample_ready = !stalls && !cutting;
@@ -1702,7 +1712,12 @@ module triangle_check (
                     cfg_file.nibbles[11:8]};
                 cfg = cfg_bits;
                 if (|(cfg_bits & TRIANGLE_CFG_PADS)) cfg_file.over_wide;
-                if (cutting) cfg = ~cfg_bits;
+                if (cutting) begin
+                    cfg.test = ~cfg.test;
+                    cfg.depth_init = ~cfg.depth_init;
+                    cfg.depth_dx = ~cfg.depth_dx;
+                    cfg.depth_dy = ~cfg.depth_dy;
+                end
                 in_valid = 1'b1;
             end
             // Some clocks more show what comes too much.

@@ -48,7 +48,7 @@ impl Relations {
         let mask = u128::MAX >> (128 - column.width);
         self.any |= want ^ got;
         self.all &= want ^ got;
-        let value = |word| super::super::explain::value(column, word);
+        let value = |word| crate::vector::dump::explain::value(column, word);
         let offset = value(got).wrapping_sub(value(want));
         if self.first {
             (self.offset, self.constant) = (Some(offset), Some(got));
