@@ -32,6 +32,25 @@ fn write(folder: &Path, profile: &Profile) {
     good(folder, &["verify", "set", "--recompute"]);
 }
 
+/// The runs of a set from its first directed triangle on, by the number of the test among these: a plain
+/// engine has set-up words before them, and a core of both.
+fn spans_of_triangles(set: &Path) -> String {
+    let text = std::fs::read_to_string(set.join("manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let groups = manifest["groups"].as_array().unwrap().iter();
+    let before = groups
+        .filter(|group| group["bench"] == "triangle")
+        .take_while(|group| group["tag"] != "all-bits");
+    let first: u64 = before.map(|group| group["tests"].as_u64().unwrap()).sum();
+    let rows = std::fs::read_to_string(set.join("span.exp.tv")).unwrap();
+    let numbered = rows.lines().filter_map(|row| {
+        let (test, rest) = row.split_once('_').unwrap();
+        let test = u64::from_str_radix(test, 16).unwrap().checked_sub(first)?;
+        Some(format!("{test:08x}_{rest}\n"))
+    });
+    numbered.collect()
+}
+
 /// Every machine has a set that verifies, and its triangle files agree with those of edge functions
 /// where the machine is exact.
 #[test]
@@ -43,7 +62,7 @@ fn every_machine_has_a_golden_set() {
         let mut profile = load("sgi-4k").unwrap().with_machine(machine).unwrap();
         profile.window = WindowConfig { width: 256, height: 256 };
         write(folder, &profile);
-        let span = std::fs::read_to_string(folder.join("set/span.exp.tv")).unwrap();
+        let span = spans_of_triangles(&folder.join("set"));
         if profile.covers_exactly() {
             assert_eq!(spans.get_or_insert_with(|| span.clone()), &span, "{machine}");
         }
