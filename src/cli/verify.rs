@@ -118,7 +118,7 @@ fn summary(reports: &[DumpReport], output: &mut Output) -> Result<(), Failure> {
             Some(module) => format!("; placed: {module}"),
             None => String::new(),
         };
-        let cause = match report.causes.first().filter(|_| report.sure) {
+        let cause = match &report.likely {
             Some(cause) => format!("; likely cause: {cause}"),
             None => String::new(),
         };
@@ -242,7 +242,7 @@ fn describe(report: &DumpReport, output: &mut Output) -> Result<(), Failure> {
                 report.tried
             ));
         }
-        [cause, rivals @ ..] if report.sure => {
+        [cause, rivals @ ..] if report.likely.is_some() => {
             output.line(format!("likely cause: {cause}"))?;
             ("in every row of this set it is the same as:", rivals)
         }

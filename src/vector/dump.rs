@@ -75,9 +75,9 @@ pub struct DumpReport {
     pub placed: Placed,
     /// Single changes that make the whole dump agree, simplest first.
     pub causes: Vec<String>,
-    /// Whether the first of them is the cause, as far as rows can tell: the others are the same thing
-    /// said otherwise.
-    pub sure: bool,
+    /// The first of them, if it is the cause as far as rows can tell: the others are the same thing said
+    /// otherwise.
+    pub likely: Option<String>,
     /// How many single changes were tried.
     pub tried: usize,
     /// Whether every row that came agrees and no change explains those that are missing.
@@ -263,8 +263,8 @@ fn diagnose(judged: &mut [Judged]) {
         let report = &mut judged[n].report;
         (report.tried, report.lost, report.placed) = (causes.tried, causes.lost, placed);
         report.observed.trivial = trivial;
-        report.sure = causes.sure && !trivial;
         report.causes = causes.named.into_iter().map(|(change, _)| change).collect();
+        report.likely = report.causes.first().filter(|_| causes.sure && !trivial).cloned();
     }
 }
 

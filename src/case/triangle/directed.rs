@@ -219,7 +219,7 @@ impl Stimulus {
         let ties = self.fraction + 1;
         let (p, q) = (1i128 << ties.div_ceil(2), 1i128 << (ties / 2));
         let odd = self.centre.map(|offset| 1 - offset.rem_euclid(2));
-        let [x, y] = [0, 1].map(|axis| (self.window[axis] * self.pixel / 2 & !1) + odd[axis]);
+        let [x, y] = [0, 1].map(|axis| ((self.window[axis] * self.pixel / 2) & !1) + odd[axis]);
         for ([x, y], [dx, dy]) in [
             ([x, y], [1, 1]),
             ([x, y], [-1, -1]),

@@ -49,7 +49,7 @@ impl SetUp {
             let divisor = gradient.area2.unsigned_abs();
             if 2 * (magnitude % divisor) == divisor {
                 let sign = if numerator < 0 { "negative" } else { "positive" };
-                let quotient = magnitude / divisor & 3;
+                let quotient = (magnitude / divisor) & 3;
                 met.meet(&format!("tie.{}.{sign}.q{quotient}", role.pattern));
             }
         }

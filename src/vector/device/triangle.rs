@@ -119,7 +119,7 @@ impl Drawer {
         if let Some(engine) = engine {
             super::words::met(engine, test, drawing, met);
         }
-        let Some(triangle) = test.triangle.map(|triangle| triangle.normalised()) else { return };
+        let Some(triangle) = test.triangle.map(Triangle::normalised) else { return };
         self.sides(&triangle, drawing, met);
         let (Some(depth), Some(z)) = (self.model.depth(), triangle.z) else { return };
         if drawing.spans.is_empty() || engine.is_some() || self.model.ports().mask.is_some() {

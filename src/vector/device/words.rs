@@ -87,7 +87,7 @@ pub(in crate::vector) fn met(
         }
     }
     // Columns of the same number of rows as the box, as runs go down.
-    let column = drawing.spans.len() as u32;
+    let column = u32::try_from(drawing.spans.len()).unwrap_or(u32::MAX);
     if drawing.spans.iter().all(|span| span.x1 - span.x0 == 1)
         && column == y1 - y0.min(y1)
         && column > 0

@@ -58,8 +58,8 @@ struct Row<'a> {
     unknown: &'a [u128],
     /// Whether the dump lets a column be compared at all.
     compared: &'a [bool],
-    last_row: Option<&'a [u128]>,
-    last_test: Option<&'a [u128]>,
+    before: Option<&'a [u128]>,
+    test_before: Option<&'a [u128]>,
 }
 
 /// Looks at every row of a dump.
@@ -90,7 +90,7 @@ pub(super) fn observe(subject: &Subject, dump: &Dump) -> Observed {
             };
             let Some(there) = found else {
                 seen.observed.missing += 1;
-                *seen.observed.classes.entry(seen.class(subject, at)).or_default() += 1;
+                *seen.observed.classes.entry(Seen::class(subject, at)).or_default() += 1;
                 continue;
             };
             let want = unpack(row, columns);
@@ -113,15 +113,15 @@ pub(super) fn observe(subject: &Subject, dump: &Dump) -> Observed {
                 want: &want,
                 got: &got,
                 unknown: &unknown,
-                last_row: last.as_deref(),
-                last_test: last_test.as_deref(),
+                before: last.as_deref(),
+                test_before: last_test.as_deref(),
             };
             seen.row(subject, at, n, &around, &stimulus);
             last = Some(want);
         }
         seen.observed.extra += theirs.len() as u64;
         if !theirs.is_empty() {
-            *seen.observed.classes.entry(seen.class(subject, at)).or_default() +=
+            *seen.observed.classes.entry(Seen::class(subject, at)).or_default() +=
                 theirs.len() as u64;
         }
         last_test = last.clone().or(last_test);
@@ -162,7 +162,7 @@ impl Seen {
         }
     }
 
-    fn class(&self, subject: &Subject, at: TestAt) -> String {
+    fn class(subject: &Subject, at: TestAt) -> String {
         subject.bench.groups()[at.group].class.tag.to_owned()
     }
 
@@ -185,7 +185,7 @@ impl Seen {
         let differs: Vec<bool> =
             (0..columns.len()).map(|k| row.want[k] != row.got[k] || row.unknown[k] != 0).collect();
         if differs.contains(&true) {
-            *self.observed.classes.entry(self.class(subject, at)).or_default() += 1;
+            *self.observed.classes.entry(Self::class(subject, at)).or_default() += 1;
         }
         let names = conditions(columns, n, row, stimulus);
         for (k, column) in columns.iter().enumerate() {

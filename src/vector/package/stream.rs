@@ -267,7 +267,8 @@ impl Stream<'_> {
     fn cut(&self) -> String {
         let stays = |id: &str| id.starts_with("box") || id.starts_with("edge") || id == "zero_area";
         let fields = self.cfg.fields.iter().filter(|field| !stays(&field.id));
-        fields.map(|field| format!("                    cfg.{0} = ~cfg.{0};\n", field.id)).collect()
+        let line = |field: &Field| format!("                    cfg.{0} = ~cfg.{0};\n", field.id);
+        fields.map(line).collect::<Vec<_>>().concat()
     }
 
     /// The columns as signals of their own names, each once: as a trace shows them.

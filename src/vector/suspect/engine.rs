@@ -7,6 +7,7 @@ mod plane;
 use super::fault::{Operator, Path, Relation, sign_extend};
 use super::stepper::{self, Stepper};
 use crate::case::engine::Engine as Widths;
+use crate::format::ReadOut;
 use crate::model::Span;
 use plane::{DEPTH, EDGE, Plane};
 
@@ -96,7 +97,7 @@ impl Engine {
             .zip(&words[..words.len() - 1])
             .enumerate()
             .map(|(k, (name, word))| {
-                let width = if k < 9 { edge.width } else { read.map_or(1, |read| read.width()) };
+                let width = if k < 9 { edge.width } else { read.map_or(1, ReadOut::width) };
                 path.word(name, *word, width)
             })
             .collect();
@@ -191,7 +192,7 @@ impl Engine {
                     answer.depths.push((
                         pixel(sample_x),
                         pixel(sample_y),
-                        value.cast_unsigned() as u64,
+                        u64::try_from(value).unwrap_or_default(),
                     ));
                 }
             }

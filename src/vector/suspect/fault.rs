@@ -71,9 +71,7 @@ impl Fault {
             Wrong::Off(_) | Wrong::Constant(_) | Wrong::Stale | Wrong::Shifted(_) => 2,
             Wrong::CarryLost(_) => 3,
             // One code taken for another is as simple as a choice.
-            Wrong::Map(map) => {
-                1 + (0..4).filter(|code| map[*code] != *code).count().min(3) as u8 / 2
-            }
+            Wrong::Map(map) if (0..4).filter(|code| map[*code] != *code).count() > 1 => 2,
             Wrong::Short(_) => 4,
             Wrong::Negated | Wrong::Complement | Wrong::Stuck(..) => 5,
             _ => 1,
@@ -96,7 +94,7 @@ impl Fault {
 
     /// Rows at the start of a file that it leaves open.
     pub(super) fn unsettled(&self) -> u64 {
-        if self.wrong == Wrong::Late { 1 } else { 0 }
+        u64::from(self.wrong == Wrong::Late)
     }
 }
 

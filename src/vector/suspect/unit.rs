@@ -177,7 +177,9 @@ impl Unit<'_> {
         // Two conditions and what they meet: a left edge, or a horizontal one on top.
         let left = match self.edge.rule {
             crate::cover::FillRule::TopLeft => path.compare("left edge: ey", ey, Relation::Less, 0),
-            _ => path.compare("owning side: ey", ey, Relation::Greater, 0),
+            crate::cover::FillRule::Shadow => {
+                path.compare("owning side: ey", ey, Relation::Greater, 0)
+            }
         };
         let level = path.compare("horizontal edge: ey", ey, Relation::Equal, 0);
         let top = path.compare("top edge: ex", ex, Relation::Greater, 0);

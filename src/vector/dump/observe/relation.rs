@@ -12,17 +12,21 @@ pub(super) struct Relations {
     /// The one difference, if there is one.
     offset: Option<i128>,
     constant: Option<u128>,
-    negated: bool,
-    complement: bool,
-    doubled: bool,
-    halved: bool,
-    last_row: bool,
-    last_test: bool,
+    /// Whether each of the named relations holds in all rows so far.
+    holds: [bool; 6],
     others: Vec<usize>,
     /// Rows with unknown bits.
     unknown: u64,
     first: bool,
 }
+
+/// Places in [`Relations::holds`].
+const NEGATED: usize = 0;
+const COMPLEMENT: usize = 1;
+const DOUBLED: usize = 2;
+const HALVED: usize = 3;
+const LAST_ROW: usize = 4;
+const LAST_TEST: usize = 5;
 
 impl Relations {
     pub(super) fn new(columns: usize) -> Self {
@@ -31,12 +35,7 @@ impl Relations {
             all: u128::MAX,
             offset: None,
             constant: None,
-            negated: true,
-            complement: true,
-            doubled: true,
-            halved: true,
-            last_row: true,
-            last_test: true,
+            holds: [true; 6],
             others: (0..columns).collect(),
             unknown: 0,
             first: true,
@@ -56,12 +55,13 @@ impl Relations {
         self.first = false;
         self.offset = self.offset.filter(|seen| *seen == offset);
         self.constant = self.constant.filter(|seen| *seen == got);
-        self.negated &= got == want.wrapping_neg() & mask;
-        self.complement &= got == !want & mask;
-        self.doubled &= want != 0 && got == want << 1;
-        self.halved &= got == want >> 1 || got == (want >> 1 | want & (1 << (column.width - 1)));
-        self.last_row &= row.last_row.is_some_and(|last| last[k] == got);
-        self.last_test &= row.last_test.is_some_and(|last| last[k] == got);
+        self.holds[NEGATED] &= got == want.wrapping_neg() & mask;
+        self.holds[COMPLEMENT] &= got == !want & mask;
+        self.holds[DOUBLED] &= want != 0 && got == want << 1;
+        self.holds[HALVED] &=
+            got == want >> 1 || got == (want >> 1 | want & (1 << (column.width - 1)));
+        self.holds[LAST_ROW] &= row.before.is_some_and(|last| last[k] == got);
+        self.holds[LAST_TEST] &= row.test_before.is_some_and(|last| last[k] == got);
         self.others.retain(|other| *other != k && row.want[*other] == got);
         self.unknown += u64::from(row.unknown[k] != 0);
     }
@@ -88,17 +88,17 @@ impl Relations {
                 facts.push(format!("always off by {offset:+}{unit}"));
             }
             let named = [
-                (self.negated, "always with the sign turned"),
-                (self.complement, "always with every bit inverted"),
-                (self.doubled, "always twice what it should be"),
-                (self.halved, "always half of what it should be"),
+                (self.holds[NEGATED], "always with the sign turned"),
+                (self.holds[COMPLEMENT], "always with every bit inverted"),
+                (self.holds[DOUBLED], "always twice what it should be"),
+                (self.holds[HALVED], "always half of what it should be"),
             ];
             facts.extend(
                 named.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned()),
             );
-            if self.last_row && rows > 1 {
+            if self.holds[LAST_ROW] && rows > 1 {
                 facts.push("always what the row before should have".to_owned());
-            } else if self.last_test && rows > 1 {
+            } else if self.holds[LAST_TEST] && rows > 1 {
                 facts.push("always what the record before should have".to_owned());
             }
             let others = self.others.iter().filter(|_| rows > 1).map(|other| &columns[*other]);
@@ -107,7 +107,7 @@ impl Relations {
                     .filter(|other| other.width > 1)
                     .map(|other| format!("always what {} should be", other.name)),
             );
-            let (low, high) = (self.any.trailing_zeros(), 127 - self.any.leading_zeros());
+            let (low, high) = (self.any.trailing_zeros(), self.any.ilog2());
             if facts.is_empty() {
                 if low == high {
                     facts.push(format!("only bit {low} ever differs"));
