@@ -49,7 +49,8 @@ fn a_core_of_a_thousand_rows_comes_first_and_no_seed_decides_it() {
         let head = |made: &set::Set| {
             made.text(file).lines().take(1000).map(str::to_owned).collect::<Vec<_>>()
         };
-        assert_eq!(head(&one)[..core.rows as usize], head(&other)[..core.rows as usize]);
+        let rows = usize::try_from(core.rows).unwrap();
+        assert_eq!(head(&one)[..rows], head(&other)[..rows]);
         // A first record with all bits in use.
         let cfg = one.rows(&file.replace("exp", "cfg")).remove(0);
         assert!(cfg.iter().all(|word| word.count_ones() > 4), "{bench}: {cfg:x?}");

@@ -499,17 +499,14 @@ fn drawings_are_the_exact_coverage_under_the_rounded_plane() {
                     |k: usize| (cfg[first + k] << (128 - width)).cast_signed() >> (128 - width);
                 [0, 1, 2].map(word)
             };
-            let (zero_area, plane) = match &triangle {
-                Some(Triangle { xy, z }) => {
-                    let zero_area = exact::edge_value(xy[0], xy[1], xy[2]) == exact::integer(0);
-                    let plane = || exact_plane(&profile, *xy, z.unwrap());
-                    (zero_area, if zero_area { [0; 3] } else { plane() })
-                }
-                None => {
-                    worded += 1;
-                    let depth = profile.depth.unwrap();
-                    (cfg[13] == 1, words(10, depth.guard + depth.integer + depth.interpolation))
-                }
+            let (zero_area, plane) = if let Some(Triangle { xy, z }) = &triangle {
+                let zero_area = exact::edge_value(xy[0], xy[1], xy[2]) == exact::integer(0);
+                let plane = || exact_plane(&profile, *xy, z.unwrap());
+                (zero_area, if zero_area { [0; 3] } else { plane() })
+            } else {
+                worded += 1;
+                let depth = profile.depth.unwrap();
+                (cfg[13] == 1, words(10, depth.guard + depth.integer + depth.interpolation))
             };
             let inside = |x: i128, y: i128| match &triangle {
                 Some(triangle) => {
