@@ -112,7 +112,10 @@ pub(crate) fn latency(_: &str) {
     file(&spoil(&slow));
     build(&set.folder, &[], &["late.sv"]);
     let (good, text) = bench(&set.folder, &["+latency=2"]);
-    assert!(!good && text.contains("dda.exp.tv line 1, op 0) field acc"), "{text}");
+    assert!(
+        !good && text.contains("(dda.exp.tv line ") && text.contains("op 0) field acc"),
+        "{text}"
+    );
     // With valid, whatever the latency.
     let valid = registered(&ours, true);
     file(&valid);
@@ -297,7 +300,7 @@ pub(crate) fn order(_: &str) {
         assert_ne!(set.read("depth.exp.dut.tv"), set.read("depth.exp.tv"));
         assert_eq!(sorted("depth.exp.dut.tv"), sorted("depth.exp.tv"));
         let (good, text) = bench(&set.folder, &["+fileorder"]);
-        assert!(!good && text.contains("MISMATCH triangle (span.exp.tv line 1)"), "{text}");
+        assert!(!good && text.contains("MISMATCH triangle (span.exp.tv line "), "{text}");
         assert_eq!(bench(&set.folder, &[]).0, default == "+anyorder");
         // In any order, a wrong value, a row too much, a row twice and a missing one are still seen.
         for (what, with, says) in [
@@ -383,7 +386,8 @@ pub(crate) fn dump_before_the_end(_: &str) {
     file(&stops);
     build_verilator(&set.folder);
     let (good, text) = run(&set.folder, VERILATOR.0, &[]);
-    assert!(!good && text.contains("the device answers without end"), "{text}");
+    let ended = ["the device answers without end", "the device hangs"];
+    assert!(!good && ended.iter().any(|end| text.contains(end)), "{text}");
     let takes = "IDLE:\n                    if (in_valid)";
     assert!(stops.contains(takes));
     file(&stops.replace(takes, "IDLE:\n                    if (in_valid && in_ready)"));
