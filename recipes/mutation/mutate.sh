@@ -198,11 +198,12 @@ while read -r mutation; do
 done < mutants.ys
 wait
 
-# The table. -src says where a mutant is: a port first, the innermost statement last.
+# The table. -src says where a mutant is: a port first, the innermost statement last. A cell that
+# yosys made up has none, and stands there by its name.
 all=$number number=0
 while read -r mutation; do
     number=$((number + 1))
-    place=$(grep -o -- '-src [^ ]*' <<< "$mutation" | tail -n 1 | sed 's/^-src //; s/|.*//')
+    place=$(grep -oE -- '-(cell|src) [^ ]*' <<< "$mutation" | tail -n 1 | sed -E 's/^-(cell|src) //; s/\|.*//')
     mode=${mutation#*-mode } mode=${mode%% *}
     port=$(sed -n 's/.*-port \(\S*\) -portbit \([0-9]*\).*/\1[\2]/p' <<< "$mutation")
     verdict=$(cat "$number/verdict" 2> /dev/null || echo "not judged")

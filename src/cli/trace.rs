@@ -66,6 +66,9 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .map(|(column, word)| word_text(&**bench, column, *word))
                 .collect();
             output.line(format!("{n:>4}  {}", words.join("  ")))?;
+            if let Some(behind) = bench.behind(at, spec, row) {
+                output.line(format!("      {behind}"))?;
+            }
         }
     }
     output.flush()?;

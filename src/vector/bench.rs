@@ -29,7 +29,7 @@ pub(in crate::vector) use word::ready;
 use super::suspect::Suspects;
 use super::table::RowFormat;
 use crate::case::Class;
-use crate::format::Column;
+use crate::format::{Column, ReadOut};
 use crate::profile::Profile;
 use crate::setup::Triangle;
 
@@ -86,6 +86,11 @@ pub trait Bench: Suspects + Send + Sync {
     /// Rows of the first expectation file that a test gives, if that is known beforehand.
     fn rows(&self, at: TestAt) -> Option<u64>;
 
+    /// How much there is to do in a test, in clocks, set-ups or samples.
+    fn work(&self, at: TestAt) -> u64 {
+        self.rows(at).unwrap_or(1)
+    }
+
     /// The single file of the operand form, if the bench has one.
     fn operand_file(&self) -> Option<FileSpec> {
         None
@@ -100,9 +105,34 @@ pub trait Bench: Suspects + Send + Sync {
     /// The stimulus of a test in words, for a person.
     fn describe(&self, at: TestAt) -> String;
 
+    /// What stood behind a row of an expectation file, in words for a person: the accumulator and the edge
+    /// words at a sample, if the bench has them.
+    fn behind(&self, _at: TestAt, _file: &FileSpec, _row: &[u128]) -> Option<String> {
+        None
+    }
+
     /// How to take apart the words of a column: name and bits of its fields, most significant
     /// first; empty for a plain number.
     fn fields(&self, column: &str) -> Vec<(String, u32)>;
+}
+
+/// A word by its fields, in binary.
+pub fn in_fields(fields: &[(String, u32)], word: u128) -> String {
+    let mut left: u32 = fields.iter().map(|(_, bits)| bits).sum();
+    let mut parts = Vec::new();
+    for (name, bits) in fields.iter().filter(|(_, bits)| *bits > 0) {
+        left -= bits;
+        let field = word >> left & (u128::MAX >> (128 - bits));
+        parts.push(format!("{name} {field:0width$b}", width = *bits as usize));
+    }
+    parts.join(" | ")
+}
+
+/// The fields of an accumulator, most significant first.
+fn accumulator_fields(read: ReadOut) -> Vec<(String, u32)> {
+    let fields =
+        [("guard", read.guard()), ("integer", read.integer()), ("fraction", read.fraction())];
+    fields.map(|(name, bits)| (name.to_owned(), bits)).to_vec()
 }
 
 /// Which test.

@@ -16,6 +16,7 @@ use super::check::{CheckError, OpenSet, read_scene, source};
 use super::plan::Shard;
 use crate::format::Column;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Why a dump cannot be compared.
 #[derive(Debug, thiserror::Error)]
@@ -107,7 +108,7 @@ pub struct Placed {
 
 /// One expectation file of a set and the bench behind it.
 struct Subject {
-    bench: Box<dyn Bench>,
+    bench: Arc<dyn Bench>,
     /// Which of the bench's files.
     file: usize,
     cfg: FileSpec,
@@ -143,11 +144,19 @@ impl Subject {
     }
 }
 
+/// The value of a column's word.
+fn value(column: &Column, word: u128) -> i128 {
+    let unused = 128 - column.width;
+    if column.signed { word.cast_signed() << unused >> unused } else { word.cast_signed() }
+}
+
 /// A dump that has been compared with its file.
 struct Judged {
     subject: Subject,
     dump: Dump,
     report: DumpReport,
+    /// The tests in which a row differs.
+    differing: Vec<TestAt>,
 }
 
 impl Judged {
@@ -169,7 +178,7 @@ pub fn compare(
     file: Option<&str>,
     most: usize,
 ) -> Result<DumpReport, CompareError> {
-    let mut judged = vec![judge(set, dump, file, most)?];
+    let mut judged = vec![judge((set, &benches(set)?), dump, file, most)?];
     if judged[0].is_empty() {
         return Err(DumpError::Empty { path: dump.display().to_string() }.into());
     }
@@ -177,9 +186,9 @@ pub fn compare(
     Ok(judged.remove(0).report)
 }
 
-/// Compares several dumps of one device: a cause has to explain all that one bench gave, and a module
-/// that a bench of its own found right is not looked for elsewhere. The diagnosis of a bench stands in
-/// the report of its first dump that disagrees.
+/// Compares several dumps of one device: a cause has to explain all that one bench gave, and a fault of a
+/// module that a bench of its own found right is the last that is thought of. The diagnosis of a bench
+/// stands in the report of its first dump that disagrees.
 ///
 /// # Errors
 /// [`CompareError`] if the set or a dump cannot be read as one.
@@ -188,7 +197,8 @@ pub fn compare_all(
     dumps: &[PathBuf],
     most: usize,
 ) -> Result<Vec<DumpReport>, CompareError> {
-    let judged = dumps.iter().map(|dump| judge(set, dump, None, most));
+    let benches = benches(set)?;
+    let judged = dumps.iter().map(|dump| judge((set, &benches), dump, None, most));
     let mut judged = judged.collect::<Result<Vec<_>, _>>()?;
     diagnose(&mut judged);
     let compared: Vec<String> = judged.iter().map(|judged| judged.report.file.clone()).collect();
@@ -201,12 +211,12 @@ pub fn compare_all(
 }
 
 fn judge(
-    set: &OpenSet,
+    (set, benches): (&OpenSet, &[Arc<dyn Bench>]),
     path: &Path,
     file: Option<&str>,
     most: usize,
 ) -> Result<Judged, CompareError> {
-    let (subject, all) = subject(set, path, file)?;
+    let (subject, all) = subject((set, benches), path, file)?;
     // Read once, then judged: against the expectation, and where that fails against every suspect.
     let dump = Dump::read(path, &subject.spec.columns)
         .map_err(|error| origin::of_error(error, path, &subject, &all))?;
@@ -218,11 +228,12 @@ fn judge(
     let answers = subject.bench.files().into_iter().filter(|spec| spec.stem.contains(".exp"));
     let others = answers.filter(|spec| spec.stem != subject.spec.stem);
     report.others = others.map(|spec| format!("{}.tv", spec.stem)).collect();
+    let mut differing = Vec::new();
     if report.disagrees {
         report.origin = origin::of_rows(set, path, &subject);
-        report.observed = observe::observe(&subject, &dump);
+        (report.observed, differing) = observe::observe(&subject, &dump);
     }
-    Ok(Judged { subject, dump, report })
+    Ok(Judged { subject, dump, report, differing })
 }
 
 /// Modules that a bench drives alone.
@@ -248,12 +259,10 @@ fn diagnose(judged: &mut [Judged]) {
             continue;
         }
         benches.push(name);
-        let group: Vec<&Judged> =
-            judged[n..].iter().filter(|judged| judged.subject.bench.name() == name).collect();
-        let others = group.iter().copied().filter(|judged| judged.report.disagrees);
-        let differing: Vec<&Judged> = others.collect();
         let all: Vec<&Judged> =
             judged.iter().filter(|judged| judged.subject.bench.name() == name).collect();
+        let differing: Vec<&Judged> =
+            all.iter().copied().filter(|judged| judged.report.disagrees).collect();
         let causes = explain::causes(&all, &sound);
         let placed = place::place((&differing, &all), &causes, &sound, &broken);
         let trivial = differing.iter().all(|judged| judged.report.observed.trivial);
@@ -268,29 +277,36 @@ fn diagnose(judged: &mut [Judged]) {
     }
 }
 
-/// The file that a dump answers, and all files that one could.
-fn subject(
-    set: &OpenSet,
-    dump: &Path,
-    file: Option<&str>,
-) -> Result<(Subject, Vec<FileSpec>), CompareError> {
+/// The benches of a set, which every dump of it is held against.
+fn benches(set: &OpenSet) -> Result<Vec<Arc<dyn Bench>>, CompareError> {
     let (format, zstd) = super::check::format(set)?;
     if format != super::table::RowFormat::Tv || zstd {
         return Err(CompareError::Format(set.manifest.format.clone()));
     }
     let source = source(set, read_scene(set)?);
+    Ok(source.benches().into_iter().map(Arc::from).collect())
+}
+
+/// The file that a dump answers, and all files that one could.
+fn subject(
+    (set, benches): (&OpenSet, &[Arc<dyn Bench>]),
+    dump: &Path,
+    file: Option<&str>,
+) -> Result<(Subject, Vec<FileSpec>), CompareError> {
     let own_name = dump.file_name().map(|name| name.to_string_lossy().into_owned());
     let wanted = file.map(str::to_owned).or(own_name).unwrap_or_default();
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
     let (mut found, mut known) = (None, Vec::new());
-    for bench in source.benches() {
-        let cfg = bench.files().remove(0);
-        let specs = bench.files().into_iter().enumerate();
+    for bench in benches {
+        let files = bench.files();
+        let cfg = files[0].clone();
+        let specs = files.into_iter().enumerate();
         let answers: Vec<_> = specs.filter(|(_, spec)| spec.stem.contains(".exp")).collect();
         known.extend(answers.iter().map(|(_, spec)| spec.clone()));
         let mut named = answers.into_iter().filter(|(_, spec)| wanted.starts_with(&spec.stem));
         if let (None, Some((file, spec))) = (&found, named.next()) {
-            found = Some(Subject { bench, file, cfg, spec, shard, count: source.count });
+            let (bench, count) = (Arc::clone(bench), set.manifest.count);
+            found = Some(Subject { bench, file, cfg, spec, shard, count });
         }
     }
     let names = |known: &[FileSpec]| {

@@ -52,7 +52,7 @@ impl<'b> Suspect<'b> {
         device: impl Device<B::Test> + 'b,
     ) -> Self {
         let run = Box::new(Rig::new(bench, Box::new(device), RowFormat::Bin));
-        Self { change: change.into(), unsettled: 0, rank: 0, forgets: false, place: None, run }
+        Self { change: change.into(), unsettled: 0, rank: 0, forgets: true, place: None, run }
     }
 
     /// A device with a fault in one part.
@@ -67,7 +67,7 @@ impl<'b> Suspect<'b> {
             place,
             unsettled,
             rank: fault.rank(),
-            forgets: fault.forgets(),
+            forgets: !fault.remembers(),
             ..Self::new(bench, fault.text.clone(), device)
         }
     }

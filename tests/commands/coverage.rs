@@ -1,5 +1,7 @@
 //! The cells of a set: hit, unreachable with a bound, or open.
 
+#[cfg(feature = "cli")]
+use crate::run;
 use crate::set;
 use guardbit::profile::{Profile, WindowConfig};
 use guardbit::vector::manifest::CoverageEntry;
@@ -127,5 +129,130 @@ fn of_a_toy_every_triangle_says_the_same() {
             // 2^6 divides no area of at most 16.
             assert!(unreachable.contains("tie.depth_dx.positive.q0"), "{unreachable:?}");
         }
+    }
+}
+
+// Clause N-14
+#[cfg(feature = "cli")]
+#[test]
+fn a_trace_shows_the_words_behind_each_depth() {
+    let home = tempfile::tempdir().unwrap();
+    let mut rows = 0;
+    for test in ["guard-splits/0", "guard-patterns/9", "box-cuts/3", "slivers/0"] {
+        let ran = run::run_in(home.path(), &format!("trace sgi-4k --test triangle/{test}")).ends(0);
+        let lines: Vec<&str> = ran.out.lines().collect();
+        for pair in lines.windows(2).filter(|pair| pair[1].contains("accumulator guard ")) {
+            let depth: u64 = pair[0].rsplit_once("depth=").unwrap().1.parse().unwrap();
+            let field = |name: &str| {
+                let rest = pair[1].split_once(name).unwrap().1;
+                rest.split_whitespace().next().unwrap().trim_end_matches(';')
+            };
+            // A covered sample: no edge word has its sign bit, and inside the range the integer bits are
+            // the depth.
+            let edges = pair[1].split_once("edge words ").unwrap().1;
+            for edge in edges.split(' ') {
+                assert!(u64::from_str_radix(edge, 16).unwrap() >> 34 == 0, "{test}: {edges}");
+            }
+            let integer = u64::from_str_radix(field("integer "), 2).unwrap();
+            match field("guard ") {
+                "00" => assert_eq!(integer, depth, "{test}: {pair:?}"),
+                "01" => assert_eq!(depth, (1 << 24) - 1, "{test}: {pair:?}"),
+                // The split lies in the middle of the pattern 10.
+                "10" => assert_eq!(depth == 0, integer >> 23 == 1, "{test}: {pair:?}"),
+                _ => assert_eq!(depth, 0, "{test}: {pair:?}"),
+            }
+            rows += 1;
+        }
+    }
+    assert!(rows > 50, "{rows}");
+}
+
+/// An engine that reads set-up words another way: its answers to the words of a set.
+fn answers(
+    made: &set::Set,
+    covers: &dyn Fn([i128; 3]) -> bool,
+    reads: &dyn Fn(i128) -> i128,
+) -> Vec<Vec<u128>> {
+    let signed = |word: u128, width: u32| (word << (128 - width)).cast_signed() >> (128 - width);
+    let mut rows = Vec::new();
+    for cfg in made.rows("triangle.cfg.tv") {
+        let [y0, y1, x0, x1] = [14, 15, 16, 17].map(|k: usize| cfg[k].cast_signed());
+        if cfg[13] == 1 {
+            continue;
+        }
+        for y in y0..y1 {
+            for x in x0..x1 {
+                let at = |first: usize, width: u32| {
+                    let [init, dx, dy] = [0, 1, 2].map(|k| signed(cfg[first + k], width));
+                    let value = init + dx * x + dy * y;
+                    value << (128 - width) >> (128 - width)
+                };
+                if covers([1, 4, 7].map(|first| at(first, 35))) {
+                    let depth = reads(at(10, 39) & ((1 << 39) - 1));
+                    rows.push(
+                        [cfg[0], y.cast_unsigned(), x.cast_unsigned(), depth.cast_unsigned()]
+                            .to_vec(),
+                    );
+                }
+            }
+        }
+    }
+    rows
+}
+
+type Covers = fn([i128; 3]) -> bool;
+
+// Clause X-5
+#[test]
+fn an_engine_shows_what_vertices_hide() {
+    let made = write_set(&profile("sgi-4k"), "knot", &options(100_000));
+    let golden = made.rows("depth.exp.tv");
+    let inside = |edges: [i128; 3]| edges.iter().all(|edge| *edge >= 0);
+    let (whole, middle) = (1i128 << 24, (1i128 << 25) + (1 << 23));
+    let read = |u: i128, whole: i128, middle: i128| match u {
+        _ if u < whole => u,
+        _ if u < middle => (1 << 24) - 1,
+        _ => 0,
+    };
+    let right = |acc: i128| read(acc >> 13, whole, middle);
+    assert_eq!(answers(&made, &inside, &right), golden);
+    // Engines of their own copies of the clamp, which no bench of a DDA sees.
+    let wrong: [(&str, &dyn Fn(i128) -> i128); 5] = [
+        ("no upper clamp", &|acc| if acc >> 13 < middle { acc >> 13 & ((1 << 24) - 1) } else { 0 }),
+        ("a sign decode", &|acc| if acc >> 38 == 1 { 0 } else { (acc >> 13).min((1 << 24) - 1) }),
+        ("a split one late", &|acc| read(acc >> 13, whole, middle + 1)),
+        ("a split one early", &|acc| read(acc >> 13, whole, middle - 1)),
+        ("a clamp one late", &|acc| if acc >> 13 == whole { 0 } else { right(acc) }),
+    ];
+    for (what, reads) in wrong {
+        assert_ne!(answers(&made, &inside, reads), golden, "{what}");
+    }
+    let edges: [(&str, Covers); 3] = [
+        ("edge 1 unseen", |e| e[0] >= 0 && e[2] >= 0),
+        ("edge 2 tested above zero", |e| e[0] >= 0 && e[1] >= 0 && e[2] > 0),
+        ("edge 0 by the bit below", |e| e[0] >> 33 & 1 == 0 && e[1] >= 0 && e[2] >= 0),
+    ];
+    for (what, covers) in edges {
+        assert_ne!(answers(&made, &covers, &right), golden, "{what}");
+    }
+    // Numbers in too few bits, and a column or row too many or too few at each side.
+    let spans = made.rows("span.exp.tv");
+    let boxes: std::collections::BTreeMap<u128, Vec<u128>> =
+        made.rows("triangle.cfg.tv").into_iter().map(|cfg| (cfg[0], cfg[14..].to_vec())).collect();
+    for bits in 1..=12 {
+        let cut = spans.iter().filter(|span| span[3] - span[2] >= 1 << bits).count();
+        assert!(cut > 0, "a run length in {bits} bits");
+    }
+    for side in ["left", "right", "top", "bottom"] {
+        let touches = spans.iter().filter(|span| {
+            let sides = &boxes[&span[0]];
+            match side {
+                "left" => span[2] == sides[2],
+                "right" => span[3] == sides[3],
+                "top" => span[1] == sides[0],
+                _ => span[1] + 1 == sides[1],
+            }
+        });
+        assert!(touches.count() > 10, "{side}");
     }
 }

@@ -116,6 +116,9 @@ pub struct Cell {
 }
 
 impl Coverage {
+    /// The eight directions of a pair of slopes, by number.
+    pub const OCTANTS: [&'static str; 8] = OCTANTS;
+
     /// The octant of a direction, x to the right and y down; no direction counts as the first.
     #[inline]
     pub fn octant(dx: i128, dy: i128) -> usize {

@@ -218,14 +218,7 @@ impl Bench for SetupBench {
     fn fields(&self, column: &str) -> Vec<(String, u32)> {
         let plane = [Role::DEPTH_INIT, Role::DEPTH_DX, Role::DEPTH_DY];
         match self.model.depth().filter(|_| plane.iter().any(|role| role.pattern == column)) {
-            Some(depth) => {
-                let read = depth.read_out();
-                vec![
-                    ("guard".to_owned(), read.guard()),
-                    ("integer".to_owned(), read.integer()),
-                    ("fraction".to_owned(), read.fraction()),
-                ]
-            }
+            Some(depth) => super::accumulator_fields(depth.read_out()),
             None => Vec::new(),
         }
     }

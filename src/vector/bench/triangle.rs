@@ -210,6 +210,10 @@ impl Bench for TriangleBench {
         None
     }
 
+    fn work(&self, at: TestAt) -> u64 {
+        self.test(at, u64::MAX).samples()
+    }
+
     fn reference(&self, format: RowFormat) -> Box<dyn Run + '_> {
         if format == RowFormat::TestFloat {
             return Box::new(NoFiles(Coverage::default()));
@@ -275,6 +279,27 @@ impl Bench for TriangleBench {
 
     fn describe(&self, at: TestAt) -> String {
         self.triangles.at(at).describe()
+    }
+
+    fn behind(&self, at: TestAt, file: &FileSpec, row: &[u128]) -> Option<String> {
+        let engine = word_engine(&self.model)?;
+        let place = |role: Role| file.columns.iter().position(|c| c.name == role.pattern);
+        let [x, y] = [row[place(Role::X)?], row[place(Role::Y)?]].map(u128::cast_signed);
+        let setup = self.test(at, u64::MAX).setup;
+        let word = |first: usize, width: u32| {
+            let [init, dx, dy] = [0, 1, 2].map(|k| setup[first + k]);
+            let word = init.wrapping_add(x.wrapping_mul(dx)).wrapping_add(y.wrapping_mul(dy));
+            word.cast_unsigned() & (u128::MAX >> (128 - width))
+        };
+        let edges = [0, 3, 6].map(|first| crate::bits::hex(word(first, engine.edge), engine.edge));
+        let edges = format!("edge words {}", edges.join(" "));
+        Some(match engine.read {
+            Some(read) => {
+                let fields = super::accumulator_fields(read);
+                format!("accumulator {}; {edges}", super::in_fields(&fields, word(9, read.width())))
+            }
+            None => edges,
+        })
     }
 
     fn fields(&self, _: &str) -> Vec<(String, u32)> {

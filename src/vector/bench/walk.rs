@@ -308,14 +308,6 @@ impl Bench for WalkBench {
     }
 
     fn fields(&self, column: &str) -> Vec<(String, u32)> {
-        let (guard, integer, fraction) =
-            (self.read.guard(), self.read.integer(), self.read.fraction());
-        if column == Role::ACC.pattern {
-            [("guard", guard), ("integer", integer), ("fraction", fraction)]
-                .map(|(name, bits)| (name.to_owned(), bits))
-                .to_vec()
-        } else {
-            Vec::new()
-        }
+        if column == Role::ACC.pattern { super::accumulator_fields(self.read) } else { Vec::new() }
     }
 }

@@ -35,6 +35,15 @@ impl<'r> Answer<'r> {
 
     /// Rows of one test.
     pub(super) fn rows(&mut self, at: TestAt, limit: u64) -> impl Iterator<Item = &[u8]> {
+        self.rows_and_stimulus(at, limit).0
+    }
+
+    /// Rows of one test, and the words of the configuration that drove it.
+    pub(super) fn rows_and_stimulus(
+        &mut self,
+        at: TestAt,
+        limit: u64,
+    ) -> (impl Iterator<Item = &[u8]>, Vec<u128>) {
         self.run.run(at, limit);
         for (file, table) in self.run.tables().into_iter().enumerate() {
             if file == self.file {
@@ -44,16 +53,7 @@ impl<'r> Answer<'r> {
             }
             table.buffer.clear();
         }
-        self.rows.chunks_exact(self.stride)
-    }
-}
-
-impl Answer<'_> {
-    /// The stimulus of the last test: name, word and width of each column.
-    pub(super) fn stimulus(&self) -> Vec<(String, u128, u32)> {
-        let words = unpack(&self.cfg, &self.columns);
-        let named = self.columns.iter().zip(words);
-        named.map(|(column, word)| (column.name.clone(), word, column.width)).collect()
+        (self.rows.chunks_exact(self.stride), unpack(&self.cfg, &self.columns))
     }
 }
 
@@ -154,7 +154,7 @@ fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
                     row: Some(number),
                     line: None,
                     test: test_id(bench, at),
-                    text: missing_text(subject, at, words),
+                    text: lone_text("missing", subject, at, words),
                 });
                 continue;
             };
@@ -176,7 +176,7 @@ fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
                 row: None,
                 line: Some(dump.line(row)),
                 test: test_id(bench, at),
-                text: extra_text(subject, at, dump.row(row)),
+                text: lone_text("extra row", subject, at, dump.row(row)),
             });
         }
     }
@@ -191,7 +191,7 @@ fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
         report.disagrees = true;
         let known = u64::try_from(test).ok().and_then(|number| subject.test(number));
         let text = match known {
-            Some(at) => extra_text(subject, at, dump.row(row)),
+            Some(at) => lone_text("extra row", subject, at, dump.row(row)),
             None => format!("the set has no test {test:x}"),
         };
         let line = Some(dump.line(row));
@@ -220,10 +220,11 @@ fn place(subject: &Subject, row: &[u8]) -> String {
     words.map(|(column, word)| format!("{} {word}", column.name)).collect::<Vec<_>>().join(", ")
 }
 
-fn missing_text(subject: &Subject, at: TestAt, row: &[u8]) -> String {
-    format!("missing: {}\n  {}", place(subject, row), subject.bench.describe(at))
-}
-
-fn extra_text(subject: &Subject, at: TestAt, row: &[u8]) -> String {
-    format!("extra row: {}\n  {}", place(subject, row), subject.bench.describe(at))
+/// A row that is only on one side: what is said of it, its place, and what stands behind it.
+fn lone_text(what: &str, subject: &Subject, at: TestAt, row: &[u8]) -> String {
+    let words = unpack(row, &subject.spec.columns);
+    let behind = subject.bench.behind(at, &subject.spec, &words);
+    let behind = behind.map_or_else(String::new, |behind| format!("  {behind}\n"));
+    let place = place(subject, row);
+    format!("{what}: {place}\n{behind}  {}", subject.bench.describe(at))
 }

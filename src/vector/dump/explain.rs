@@ -2,10 +2,8 @@
 
 use super::compare::{Answer, ByTest, by_test};
 use super::read::Dump;
-use super::{Judged, Subject};
-use crate::format::Column;
-use crate::vector::bench::{Run, TestAt};
-use crate::vector::plan::find_test;
+use super::{Judged, Subject, value};
+use crate::vector::bench::{Run, TestAt, in_fields};
 use crate::vector::table::unpack;
 use std::fmt::Write as _;
 
@@ -50,31 +48,18 @@ pub(super) fn mismatch_text(
             let _ = writeln!(text, "  got      {}", in_fields(&fields, words[k]));
         }
     }
+    if let Some(behind) = subject.bench.behind(at, &subject.spec, &expected) {
+        let _ = writeln!(text, "  {behind}");
+    }
     let _ = write!(text, "  {}, row {n} of the test", subject.bench.describe(at));
     text
-}
-
-pub(super) fn value(column: &Column, word: u128) -> i128 {
-    let unused = 128 - column.width;
-    if column.signed { word.cast_signed() << unused >> unused } else { word.cast_signed() }
-}
-
-fn in_fields(fields: &[(String, u32)], word: u128) -> String {
-    let mut left: u32 = fields.iter().map(|(_, bits)| bits).sum();
-    let mut parts = Vec::new();
-    for (name, bits) in fields.iter().filter(|(_, bits)| *bits > 0) {
-        left -= bits;
-        let field = word >> left & (u128::MAX >> (128 - bits));
-        parts.push(format!("{name} {field:0width$b}", width = *bits as usize));
-    }
-    parts.join(" | ")
 }
 
 /// What may be behind the dumps of a bench.
 pub(super) struct Causes {
     /// Single changes that make the dumps agree, simplest first, with their module and part.
     pub(super) named: Vec<(String, Option<(&'static str, &'static str)>)>,
-    /// How many of them are said with confidence: one, or none.
+    /// Whether the first of them is said with confidence.
     pub(super) sure: bool,
     /// How many were tried.
     pub(super) tried: usize,
@@ -90,7 +75,7 @@ const COPY: u8 = 16;
 const RIVALS: usize = 4;
 
 /// Looks for the cause among the suspects of the bench: what explains every row of every dump.
-/// Modules in `sound` have been seen to be right.
+/// Modules in `sound` have been found right by a bench of their own.
 pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
     let subject = &group[0].subject;
     let maps: Vec<Option<ByTest>> = group
@@ -99,7 +84,7 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
         .collect();
     let suspects = subject.bench.suspects();
     let tried = suspects.len();
-    let probe = Probe::new(group);
+    let probes = Probe::all(group);
     let mut named: Vec<(u8, String, _)> = Vec::new();
     for mut suspect in suspects {
         // A module that its own bench finds right can still be wrong in a copy of the engine's own.
@@ -109,10 +94,9 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
             suspect.change =
                 format!("in a copy of {module} of the engine's own, {}", suspect.change);
         }
-        // Most do not even explain the first test that differs.
-        if suspect.forgets
-            && probe.as_ref().is_some_and(|probe| !probe.explains(group, &maps, &mut *suspect.run))
-        {
+        // Most do not even explain the quickest tests that differ.
+        let mut explains_probe = |probe: &Probe| probe.explains(group, &maps, &mut *suspect.run);
+        if suspect.forgets && !probes.iter().all(&mut explains_probe) {
             continue;
         }
         let explained = explains(group, &maps, suspect.run, suspect.unsettled);
@@ -135,7 +119,7 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
     Causes { named, sure, tried, lost }
 }
 
-/// The first test in which a dump differs.
+/// A test in which a dump differs, and that is quickly run.
 struct Probe {
     at: TestAt,
     limit: u64,
@@ -143,24 +127,46 @@ struct Probe {
     rows: Vec<usize>,
 }
 
+/// How many tests are looked at for a quick one.
+const LOOKED_AT: usize = 1000;
+
+/// The work of all probes together, beyond the first.
+const WORK: u64 = 1000;
+
 impl Probe {
-    fn new(group: &[&Judged]) -> Option<Self> {
+    /// The probes of dumps, quickest first.
+    fn all(group: &[&Judged]) -> Vec<Self> {
         let bench = &*group[0].subject.bench;
-        let firsts = group.iter().filter_map(|judged| judged.report.mismatches.first());
-        let first = firsts
-            .filter_map(|mismatch| find_test(bench, &mismatch.test))
-            .min_by_key(|at| at.test)?;
+        let tests = group.iter().flat_map(|judged| judged.differing.iter().take(LOOKED_AT));
+        let mut quickest: Vec<(u64, u64)> = tests.map(|at| (bench.work(*at), at.test)).collect();
+        quickest.sort_unstable();
+        quickest.dedup();
+        let mut sum = 0;
+        let few = quickest.iter().take_while(|(work, _)| {
+            sum += work;
+            sum <= WORK
+        });
+        let few = few.take(3).count().max(1);
+        quickest.truncate(few);
+        let mut probes = Vec::new();
         let mut rows = vec![0; group.len()];
         for (at, limit) in group[0].subject.tests() {
-            if at.test == first.test {
-                return Some(Self { at, limit, rows });
+            if let Some((work, _)) = quickest.iter().find(|(_, test)| *test == at.test) {
+                probes.push((*work, Self { at, limit, rows: rows.clone() }));
+                if probes.len() == quickest.len() {
+                    break;
+                }
             }
-            for (judged, rows) in group.iter().zip(&mut rows).filter(|(j, _)| j.subject.key() == 0)
+            for (row, _) in
+                rows.iter_mut().zip(group).filter(|(_, judged)| judged.subject.key() == 0)
             {
-                *rows += usize::try_from(judged.subject.bench.rows(at)?.min(limit)).ok()?;
+                let given = bench.rows(at).and_then(|given| usize::try_from(given.min(limit)).ok());
+                let Some(given) = given else { return Vec::new() };
+                *row += given;
             }
         }
-        None
+        probes.sort_by_key(|(work, _)| *work);
+        probes.into_iter().map(|(_, probe)| probe).collect()
     }
 
     fn explains(&self, group: &[&Judged], maps: &[Option<ByTest>], run: &mut dyn Run) -> bool {
@@ -211,7 +217,7 @@ fn explains(
             }
             table.buffer.clear();
         }
-        for (n, Judged { subject, dump, report }) in group.iter().enumerate() {
+        for (n, Judged { subject, dump, report, .. }) in group.iter().enumerate() {
             let rows = buffers[n].chunks_exact(subject.stride());
             if let Some(map) = &maps[n] {
                 let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);

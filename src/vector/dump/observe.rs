@@ -1,14 +1,16 @@
 //! What can be said of a dump without any cause: which columns differ and in which rows, by what
 //! relation, under what condition. Clause `N-14`.
 
+mod condition;
 mod relation;
 
 use super::Subject;
 use super::compare::{Answer, by_test};
 use super::read::Dump;
-use crate::format::{Column, Role};
+use crate::format::Column;
 use crate::vector::bench::TestAt;
 use crate::vector::table::unpack;
+use condition::Condition;
 use relation::Relations;
 use std::collections::BTreeMap;
 
@@ -42,45 +44,40 @@ pub struct Observed {
     pub trivial: bool,
 }
 
-/// Conditions that may tell rows that differ from rows that agree.
-#[derive(Clone, Copy, Debug, Default)]
-struct Count {
-    /// Rows that have it.
-    rows: u64,
-    /// Rows that have it and differ.
-    differ: u64,
-}
-
 /// A row and what is around it.
 struct Row<'a> {
+    /// Number of the row in its test.
+    n: usize,
     want: &'a [u128],
     got: &'a [u128],
     unknown: &'a [u128],
-    /// Whether the dump lets a column be compared at all.
-    compared: &'a [bool],
+    /// Bits that the dump does not let be compared.
+    ignored: &'a [u128],
+    /// The row before, as it should be.
     before: Option<&'a [u128]>,
-    test_before: Option<&'a [u128]>,
+    /// The words of the configuration that drove the test.
+    stimulus: &'a [u128],
 }
 
-/// Looks at every row of a dump.
-pub(super) fn observe(subject: &Subject, dump: &Dump) -> Observed {
+/// Looks at every row of a dump; the tests in which one differs, too.
+pub(super) fn observe(subject: &Subject, dump: &Dump) -> (Observed, Vec<TestAt>) {
     let columns = &subject.spec.columns;
     let mut seen = Seen::new(subject);
     let mut expected = Answer::expected(subject);
     let mut map = (subject.key() > 0).then(|| by_test(subject, dump));
     let key = subject.key_bytes();
     let mut next = 0;
-    let (mut last_row, mut last_test): (Option<Vec<u128>>, Option<Vec<u128>>) = (None, None);
+    let mut before: Option<Vec<u128>> = None;
+    let mut differing = Vec::new();
     for (at, limit) in subject.tests() {
+        let so_far = seen.differ;
+        let class = subject.bench.groups()[at.group].class.tag;
         let mut theirs = match &mut map {
             Some(map) => map.remove(&u128::from(at.test)).unwrap_or_default(),
             None => Vec::new(),
         };
-        let rows: Vec<Vec<u8>> = expected.rows(at, limit).map(<[u8]>::to_vec).collect();
-        let stimulus = expected.stimulus();
-        let first_of_test = last_row.take();
-        let mut last = first_of_test;
-        for (n, row) in rows.iter().enumerate() {
+        let (rows, stimulus) = expected.rows_and_stimulus(at, limit);
+        for (n, row) in rows.enumerate() {
             let found = if map.is_some() {
                 let found = theirs.iter().position(|there| dump.row(*there)[..key] == row[..key]);
                 found.map(|found| theirs.remove(found))
@@ -90,58 +87,58 @@ pub(super) fn observe(subject: &Subject, dump: &Dump) -> Observed {
             };
             let Some(there) = found else {
                 seen.observed.missing += 1;
-                *seen.observed.classes.entry(Seen::class(subject, at)).or_default() += 1;
+                seen.differs_in(class, 1);
                 continue;
             };
             let want = unpack(row, columns);
-            let [got, unknown, ignored] = dump.words(there);
-            let got: Vec<u128> = got
-                .iter()
-                .zip(&want)
-                .zip(&ignored)
-                .map(|((got, want), ignored)| got & !ignored | want & ignored)
-                .collect();
-            let unknown: Vec<u128> =
-                unknown.iter().zip(&ignored).map(|(unknown, ignored)| unknown & !ignored).collect();
-            let compared: Vec<bool> = columns
-                .iter()
-                .zip(&ignored)
-                .map(|(column, ignored)| *ignored != u128::MAX >> (128 - column.width))
-                .collect();
-            let around = Row {
-                compared: &compared,
+            let [mut got, mut unknown, ignored] = dump.words(there);
+            for (k, ignored) in ignored.iter().enumerate() {
+                got[k] = got[k] & !ignored | want[k] & ignored;
+                unknown[k] &= !ignored;
+            }
+            let row = Row {
+                n,
                 want: &want,
                 got: &got,
                 unknown: &unknown,
-                before: last.as_deref(),
-                test_before: last_test.as_deref(),
+                ignored: &ignored,
+                before: before.as_deref(),
+                stimulus: &stimulus,
             };
-            seen.row(subject, at, n, &around, &stimulus);
-            last = Some(want);
+            seen.row(subject, class, &row);
+            before = Some(want);
         }
         seen.observed.extra += theirs.len() as u64;
-        if !theirs.is_empty() {
-            *seen.observed.classes.entry(Seen::class(subject, at)).or_default() +=
-                theirs.len() as u64;
+        seen.differs_in(class, theirs.len() as u64);
+        if seen.differ > so_far {
+            differing.push(at);
         }
-        last_test = last.clone().or(last_test);
-        last_row = last;
     }
     seen.observed.extra += map.map_or_else(
         || dump.rows().saturating_sub(next) as u64,
         |left| left.values().map(|rows| rows.len() as u64).sum(),
     );
-    seen.finish(columns)
+    (seen.finish(columns), differing)
+}
+
+/// Rows that have a condition, and those of them in which each column differs.
+#[derive(Clone, Debug)]
+struct Count {
+    condition: Condition,
+    rows: u64,
+    differ: Vec<u64>,
 }
 
 /// What is counted on the way.
 struct Seen {
     observed: Observed,
+    /// Rows that differ, are missing or too many.
+    differ: u64,
     key: usize,
     relations: Vec<Relations>,
+    /// Rows in which each column differs.
     rows: Vec<u64>,
-    /// For each column, conditions by name.
-    conditions: Vec<BTreeMap<String, Count>>,
+    counts: Vec<Count>,
     /// Whether a column was compared in any row.
     compared: Vec<bool>,
     /// The word of each column, if it is the same in every row.
@@ -151,29 +148,27 @@ struct Seen {
 impl Seen {
     fn new(subject: &Subject) -> Self {
         let columns = subject.spec.columns.len();
+        let count = |condition| Count { condition, rows: 0, differ: vec![0; columns] };
         Self {
             observed: Observed::default(),
+            differ: 0,
             key: subject.key(),
             relations: vec![Relations::new(columns); columns],
             rows: vec![0; columns],
-            conditions: vec![BTreeMap::new(); columns],
+            counts: Condition::all(&subject.spec, &subject.cfg).into_iter().map(count).collect(),
             compared: vec![false; columns],
             constant: Vec::new(),
         }
     }
 
-    fn class(subject: &Subject, at: TestAt) -> String {
-        subject.bench.groups()[at.group].class.tag.to_owned()
+    fn differs_in(&mut self, class: &str, rows: u64) {
+        self.differ += rows;
+        if rows > 0 {
+            *self.observed.classes.entry(class.to_owned()).or_default() += rows;
+        }
     }
 
-    fn row(
-        &mut self,
-        subject: &Subject,
-        at: TestAt,
-        n: usize,
-        row: &Row<'_>,
-        stimulus: &[(String, u128, u32)],
-    ) {
+    fn row(&mut self, subject: &Subject, class: &str, row: &Row<'_>) {
         let columns = &subject.spec.columns;
         self.observed.rows += 1;
         if self.constant.is_empty() {
@@ -184,24 +179,18 @@ impl Seen {
         }
         let differs: Vec<bool> =
             (0..columns.len()).map(|k| row.want[k] != row.got[k] || row.unknown[k] != 0).collect();
-        if differs.contains(&true) {
-            *self.observed.classes.entry(Self::class(subject, at)).or_default() += 1;
-        }
-        let names = conditions(columns, n, row, stimulus);
+        self.differs_in(class, u64::from(differs.contains(&true)));
         for (k, column) in columns.iter().enumerate() {
             if differs[k] {
                 self.rows[k] += 1;
                 self.relations[k].note(column, k, row);
             }
-            self.compared[k] |= row.compared[k];
-            for name in &names {
-                if !self.conditions[k].contains_key(name.as_str()) {
-                    self.conditions[k].insert(name.clone(), Count::default());
-                }
-                if let Some(count) = self.conditions[k].get_mut(name.as_str()) {
-                    count.rows += 1;
-                    count.differ += u64::from(differs[k]);
-                }
+            self.compared[k] |= row.ignored[k] != u128::MAX >> (128 - column.width);
+        }
+        for count in &mut self.counts {
+            if count.condition.holds(columns, &subject.cfg.columns, row) {
+                count.rows += 1;
+                count.differ.iter_mut().zip(&differs).for_each(|(n, here)| *n += u64::from(*here));
             }
         }
     }
@@ -225,12 +214,12 @@ impl Seen {
             let mut facts = self.relations[k].facts(column, self.rows[k], columns);
             let (all, differ) = (self.observed.rows, self.rows[k]);
             // The rarest condition that all rows have which differ.
-            let told = self.conditions[k].iter().filter(|(_, count)| {
-                count.differ == differ && differ > 2 && count.rows * 4 < all * 3
+            let told = self.counts.iter().filter(|count| {
+                count.differ[k] == differ && differ > 2 && count.rows * 4 < all * 3
             });
-            if let Some((name, count)) = told.min_by_key(|(_, count)| count.rows) {
+            if let Some(count) = told.min_by_key(|count| count.rows) {
                 let how = if count.rows == differ { "exactly" } else { "only" };
-                facts.push(format!("{how} {name}"));
+                facts.push(format!("{how} {}", count.condition.text(columns)));
             } else if differ == all && all > 2 {
                 facts.push("in every row".to_owned());
             }
@@ -238,34 +227,4 @@ impl Seen {
         }
         self.observed
     }
-}
-
-/// The conditions of a row, by name.
-fn conditions(
-    columns: &[Column],
-    n: usize,
-    row: &Row<'_>,
-    stimulus: &[(String, u128, u32)],
-) -> Vec<String> {
-    let mut names = Vec::new();
-    for (column, word) in columns.iter().zip(row.want) {
-        if column.name == Role::OP.pattern {
-            let op = ["on a load", "on a step right", "on a step down", "on a hold"];
-            names.extend(op.get(usize::try_from(*word).unwrap_or(9)).map(|op| (*op).to_owned()));
-        } else if column.width == 1 {
-            names.push(format!("where {} is {word}", column.name));
-        } else if column.signed && word >> (column.width - 1) & 1 == 1 {
-            names.push(format!("where {} is negative", column.name));
-        } else if *word == 0 {
-            names.push(format!("where {} is zero", column.name));
-        }
-    }
-    names.extend((n == 0).then(|| "in the first row of a test".to_owned()));
-    names.extend((n > 0).then(|| "after the first row of a test".to_owned()));
-    for (name, word, width) in stimulus {
-        if *width > 1 && word >> (width - 1) & 1 == 1 {
-            names.push(format!("where the test's {name} has its top bit set"));
-        }
-    }
-    names
 }

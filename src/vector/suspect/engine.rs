@@ -38,6 +38,10 @@ pub(super) struct Kept {
 /// Bits of a pixel coordinate.
 const PIXEL: u32 = 17;
 
+/// Steps beyond twice the box after which a walk counts as endless. A box with a wrong side can have
+/// 2^34 samples, and no simulation goes there.
+const PATIENCE: i128 = 1 << 15;
+
 const HELD: [&str; 12] = [
     "the held edge0_init",
     "the held edge0_dx",
@@ -52,6 +56,9 @@ const HELD: [&str; 12] = [
     "the held depth_dx",
     "the held depth_dy",
 ];
+
+/// What the counters begin a record with.
+pub(super) const COUNTERS: [&str; 2] = ["spans at a new record", "samples at a new record"];
 
 /// The sign tests, each alone.
 const SIGNS: [&str; 3] =
@@ -79,73 +86,63 @@ impl Engine {
         bounds: [u32; 4],
     ) -> Option<Answer> {
         path.next_record();
-        path.within("triangle_engine", || self.draw_record(path, kept, words, bounds))
-    }
-
-    fn draw_record(
-        &self,
-        path: &Path,
-        kept: &mut Kept,
-        words: &[i128],
-        bounds: [u32; 4],
-    ) -> Option<Answer> {
-        let mut answer = Answer::default();
-        let edge = Stepper::edge(self.widths.edge);
-        let read = self.widths.read;
-        let held: Vec<i128> = HELD
-            .iter()
-            .zip(&words[..words.len() - 1])
-            .enumerate()
-            .map(|(k, (name, word))| {
-                let width = if k < 9 { edge.width } else { read.map_or(1, ReadOut::width) };
-                path.word(name, *word, width)
-            })
-            .collect();
-        let held = exchanged(path, &held);
-        let flag = *words.last().unwrap_or(&0);
-        let nothing = path.when("the flag of no area stops the engine", flag != 0);
-        answer.zero_area = path.when("the flag of no area is handed on", flag != 0);
-        let [x0, y0, x1, y1] = bounds.map(i128::from);
-        let sides = [("left", x0), ("right", x1), ("top", y0), ("bottom", y1)];
-        let side = |pick| path.choose("which side of the box is held", pick, sides);
-        let left = path.word("the held left side", side(0), PIXEL);
-        let right = path.word("the held right side", side(1), PIXEL);
-        let top = path.word("the held top", side(2), PIXEL);
-        let bottom = path.word("the held bottom", side(3), PIXEL);
-        kept.spans = path.choose(
-            "spans at a new record",
-            0,
-            [("zero", 0), ("the count so far", kept.spans), ("one", 1)],
-        );
-        kept.samples = path.choose(
-            "samples at a new record",
-            0,
-            [("zero", 0), ("the count so far", kept.samples), ("one", 1)],
-        );
-        let narrow =
-            path.compare("an empty box: left and right", left, Relation::GreaterOrEqual, right);
-        let flat =
-            path.compare("an empty box: top and bottom", top, Relation::GreaterOrEqual, bottom);
-        let done = path.when("nothing to draw", nothing || narrow || flat);
-        if !done {
-            let triple = |k: usize| [held[k], held[k + 1], held[k + 2]];
-            let mut edges =
-                [0, 3, 6].map(|k| Plane::new(path, (edge, &EDGE), triple(k), [left, top]));
-            let mut plane = read.map(|read| {
-                Plane::new(path, (Stepper::depth(read), &DEPTH), triple(9), [left, top])
-            });
-            self.walk(
-                path,
-                kept,
-                (&mut edges, plane.as_mut()),
-                [left, right, top, bottom],
-                &mut answer,
-            )?;
-        }
-        answer.span_count = u64::try_from(path.word("the count of spans", kept.spans, 32)).ok()?;
-        answer.sample_count =
-            u64::try_from(path.word("the count of samples", kept.samples, 32)).ok()?;
-        Some(answer)
+        path.within("triangle_engine", || {
+            let mut answer = Answer::default();
+            let edge = Stepper::edge(self.widths.edge);
+            let read = self.widths.read;
+            let held: Vec<i128> = HELD
+                .iter()
+                .zip(&words[..words.len() - 1])
+                .enumerate()
+                .map(|(k, (name, word))| {
+                    let width = if k < 9 { edge.width } else { read.map_or(1, ReadOut::width) };
+                    path.word(name, *word, width)
+                })
+                .collect();
+            let held = exchanged(path, &held);
+            let flag = *words.last().unwrap_or(&0);
+            let nothing = path.when("the flag of no area stops the engine", flag != 0);
+            answer.zero_area = path.when("the flag of no area is handed on", flag != 0);
+            let [x0, y0, x1, y1] = bounds.map(i128::from);
+            let sides = [("left", x0), ("right", x1), ("top", y0), ("bottom", y1)];
+            let side = |pick| path.choose("which side of the box is held", pick, sides);
+            let left = path.word("the held left side", side(0), PIXEL);
+            let right = path.word("the held right side", side(1), PIXEL);
+            let top = path.word("the held top", side(2), PIXEL);
+            let bottom = path.word("the held bottom", side(3), PIXEL);
+            let counter = |name, so_far| {
+                path.only(name, ("zero", 0), [("the count so far", so_far), ("one", 1)])
+            };
+            let [spans, samples] = COUNTERS;
+            kept.spans = counter(spans, kept.spans);
+            kept.samples = counter(samples, kept.samples);
+            let narrow =
+                path.compare("an empty box: left and right", left, Relation::GreaterOrEqual, right);
+            let flat =
+                path.compare("an empty box: top and bottom", top, Relation::GreaterOrEqual, bottom);
+            let done = path.when("nothing to draw", nothing || narrow || flat);
+            if !done {
+                let triple = |k: usize| [held[k], held[k + 1], held[k + 2]];
+                let mut edges =
+                    [0, 3, 6].map(|k| Plane::new(path, (edge, &EDGE), triple(k), [left, top]));
+                let mut plane = read.map(|read| {
+                    Plane::new(path, (Stepper::depth(read), &DEPTH), triple(9), [left, top])
+                });
+                let patience = PATIENCE + 2 * (x1 - x0).max(0) * (y1 - y0).max(0);
+                self.walk(
+                    path,
+                    kept,
+                    (&mut edges, plane.as_mut()),
+                    ([left, right, top, bottom], patience),
+                    &mut answer,
+                )?;
+            }
+            answer.span_count =
+                u64::try_from(path.word("the count of spans", kept.spans, 32)).ok()?;
+            answer.sample_count =
+                u64::try_from(path.word("the count of samples", kept.samples, 32)).ok()?;
+            Some(answer)
+        })
     }
 
     fn walk(
@@ -153,14 +150,13 @@ impl Engine {
         path: &Path,
         kept: &mut Kept,
         (edges, mut plane): (&mut [Plane<'_>; 3], Option<&mut Plane<'_>>),
-        [left, right, top, bottom]: [i128; 4],
+        ([left, right, top, bottom], patience): ([i128; 4], i128),
         answer: &mut Answer,
     ) -> Option<()> {
         let pixel = |value: i128| u32::try_from(value & ((1 << PIXEL) - 1)).unwrap_or_default();
         let (mut x, mut y) = (left, top);
         let (mut in_run, mut first) = (false, 0);
-        // A walk that has gone far beyond its box does not end.
-        let most = (right - left + 3) * (bottom - top + 3) * 2 + 64;
+        let most = ((right - left + 3) * (bottom - top + 3) * 2 + 64).min(patience);
         for _ in 0..most {
             let at_end =
                 path.compare("end of a row: x and the right side", x, Relation::Equal, right);
@@ -225,11 +221,8 @@ impl Engine {
             if last {
                 return Some(());
             }
-            x = path.choose(
-                "x at the beginning of a row",
-                0,
-                [("the left side", left), ("zero", 0), ("where the row above ended", x)],
-            );
+            let near = [("zero", 0), ("where the row above ended", x)];
+            x = path.only("x at the beginning of a row", ("the left side", left), near);
             y = next;
             edges.iter_mut().for_each(Plane::down);
             if let Some(plane) = plane.as_deref_mut() {

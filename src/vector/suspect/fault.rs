@@ -78,18 +78,14 @@ impl Fault {
         }
     }
 
-    /// Whether what it gives for a record depends on no other record.
-    pub(super) fn forgets(&self) -> bool {
-        !matches!(
-            self.wrong,
-            Wrong::Stale
-                | Wrong::Late
-                | Wrong::Map(_)
-                | Wrong::Instead(..)
-                | Wrong::Exchanged(..)
-                | Wrong::Always(_)
-                | Wrong::Turned
-        )
+    /// Whether it keeps something from one clock or record for the next.
+    pub(super) fn remembers(&self) -> bool {
+        matches!(self.wrong, Wrong::Stale | Wrong::Late)
+    }
+
+    /// Whether another operand, or another operation, is taken.
+    pub(super) fn chooses(&self) -> bool {
+        matches!(self.wrong, Wrong::Instead(..) | Wrong::Exchanged(..) | Wrong::Map(_))
     }
 
     /// Rows at the start of a file that it leaves open.
@@ -135,7 +131,10 @@ impl Path {
                 met.push(Site { name, module: self.module.get(), kind: kind() });
             }
         }
-        self.fault.filter(|(site, _)| *site == name).map(|(_, wrong)| wrong)
+        // The lengths tell nearly all names apart, and a set is gone through for thousands of faults.
+        self.fault
+            .filter(|(site, _)| site.len() == name.len() && *site == name)
+            .map(|(_, wrong)| wrong)
     }
 
     /// Takes words through a part that is a module of its own.
@@ -252,24 +251,34 @@ impl Path {
         }
     }
 
-    /// One of several operands.
-    pub(super) fn choose<const N: usize>(
+    /// One of several operands, each of which belongs somewhere.
+    pub(super) fn choose<T: Copy, const N: usize>(
         &self,
         name: &'static str,
         pick: usize,
-        operands: [(&'static str, i128); N],
-    ) -> i128 {
+        operands: [(&'static str, T); N],
+    ) -> T {
         self.choose_near(name, pick, operands, [])
     }
 
+    /// The one operand that belongs here, where others are near.
+    pub(super) fn only<T: Copy, const M: usize>(
+        &self,
+        name: &'static str,
+        own: (&'static str, T),
+        near: [(&'static str, T); M],
+    ) -> T {
+        self.choose_near(name, 0, [own], near)
+    }
+
     /// One of several operands, where others are near that belong nowhere.
-    pub(super) fn choose_near<const N: usize, const M: usize>(
+    pub(super) fn choose_near<T: Copy, const N: usize, const M: usize>(
         &self,
         name: &'static str,
         pick: usize,
-        operands: [(&'static str, i128); N],
-        near: [(&'static str, i128); M],
-    ) -> i128 {
+        operands: [(&'static str, T); N],
+        near: [(&'static str, T); M],
+    ) -> T {
         let names = || {
             let names = operands.iter().chain(&near).map(|(name, _)| *name);
             Kind::Choice(names.collect(), N)
@@ -280,7 +289,7 @@ impl Path {
             Some(Wrong::Exchanged(a, b)) if pick == b => a,
             _ => pick,
         };
-        operands.iter().chain(&near).nth(picked).map_or(0, |(_, value)| *value)
+        if picked < N { operands[picked].1 } else { near[picked - N].1 }
     }
 
     /// A code of four.

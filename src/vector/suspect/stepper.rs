@@ -88,9 +88,10 @@ impl Stepper {
 
     fn next(&self, path: &Path, word: i128, op: Op, words: [i128; 3]) -> i128 {
         let names = self.names;
-        let op = path.clocked(names.operation_late, op as i128);
         let codes = ["a load", "a step right", "a step down", "a hold"];
-        let pick = path.code(names.operation, usize::try_from(op).unwrap_or_default(), codes);
+        let late = path.clocked(names.operation_late, op as i128);
+        let op = usize::try_from(late).unwrap_or_else(|_| unreachable!("a code of 0 to 3"));
+        let pick = path.code(names.operation, op, codes);
         let [init, dx, dy] = words;
         let init = path.word(names.init, init, self.width);
         let dx = path.word(names.dx, dx, self.width);
@@ -117,9 +118,10 @@ impl Stepper {
         ];
         let addend = path.choose_near(names.addend, pick, operands, near);
         let addend = path.clocked(names.addend_late, addend);
-        let step = [("added", addend), ("subtracted", addend.wrapping_neg())];
+        let subtracted = [("subtracted", addend.wrapping_neg())];
+        let is_step = pick > 0;
         let addend =
-            if pick == 0 { addend } else { path.choose_near(names.steps, 0, [step[0]], [step[1]]) };
+            if is_step { path.only(names.steps, ("added", addend), subtracted) } else { addend };
         let sum = path.sum(names.adder, Operator::Add, [base, addend], self.width);
         let sum = path.clocked(names.sum_late, sum);
         let next = self
@@ -165,13 +167,11 @@ fn read_out(path: &Path, read: ReadOut, word: i128) -> i128 {
     let (guard, integer, fraction) = (read.guard(), read.integer(), read.fraction());
     let bits = guard + integer;
     let half = if fraction > 0 { 1 << (fraction - 1) } else { 0 };
-    let word = path.choose(
+    let rounded = (word + half) & low_ones(read.width());
+    let word = path.only(
         "what the read-out drops",
-        0,
-        [
-            ("the fraction", word),
-            ("the fraction, rounded to nearest,", (word + half) & low_ones(read.width())),
-        ],
+        ("the fraction", word),
+        [("the fraction, rounded to nearest,", rounded)],
     );
     let u = path.word("the guard and integer bits", word >> fraction, bits);
     let clamp = read.clamp();

@@ -1,6 +1,6 @@
 //! Suspects of a triangle engine.
 
-use super::engine::{Engine, Kept};
+use super::engine::{COUNTERS, Engine, Kept};
 use super::fault::{Fault, Path};
 use super::setup::NO_SWAP;
 use super::{Suspect, Suspects};
@@ -40,7 +40,10 @@ impl Suspects for TriangleBench {
                     model: model(),
                     kept: Kept::default(),
                 };
-                list.push(Suspect::at(self, &fault, device));
+                let suspect = Suspect::at(self, &fault, device);
+                // Counters go on counting where they are not set to zero.
+                let forgets = suspect.forgets && !COUNTERS.contains(&fault.site);
+                list.push(Suspect { forgets, ..suspect });
             }
         }
         list

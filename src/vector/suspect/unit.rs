@@ -51,6 +51,14 @@ const OUTPUTS: [&str; 12] = [
     "output depth_dx",
     "output depth_dy",
 ];
+
+const VERTICES: Three = ["the first vertex's", "the second vertex's", "the third vertex's"];
+
+/// The two vertices beside one.
+fn others(own: usize) -> [usize; 2] {
+    [(own + 1) % 3, (own + 2) % 3]
+}
+
 /// The difference of two vertices in one coordinate; either may be that of another vertex, or another
 /// coordinate.
 fn difference(
@@ -61,14 +69,24 @@ fn difference(
     other: i128,
     width: u32,
 ) -> i128 {
-    let vertices = ["the first vertex's", "the second vertex's", "the third vertex's"];
     let near = |own: usize| {
-        let others = [(own + 1) % 3, (own + 2) % 3].map(|n| (vertices[n], v[n]));
-        [others[0], others[1], ("another coordinate", other), ("zero", 0)]
+        let [a, b] = others(own).map(|n| (VERTICES[n], v[n]));
+        [a, b, ("another coordinate", other), ("zero", 0)]
     };
-    let a = path.choose_near(first, 0, [(vertices[from], v[from])], near(from));
-    let b = path.choose_near(second, 0, [(vertices[less], v[less])], near(less));
+    let a = path.only(first, (VERTICES[from], v[from]), near(from));
+    let b = path.only(second, (VERTICES[less], v[less]), near(less));
     path.sum(name, Operator::Subtract, [a, b], width)
+}
+
+/// A determinant: the first two factors' product less that of the others.
+fn determinant(
+    path: &Path,
+    [name, first, second]: [&'static str; 3],
+    [a, b, c, d]: [i128; 4],
+    width: u32,
+) -> i128 {
+    let products = [path.product(first, a, b), path.product(second, c, d)];
+    path.sum(name, Operator::Subtract, products, width)
 }
 
 impl Unit<'_> {
@@ -91,15 +109,8 @@ impl Unit<'_> {
         let y01 = side(["y1 - y0", "y1 in y1 - y0", "y0 in y1 - y0"], y, 1, x[1]);
         let x02 = side(["x2 - x0", "x2 in x2 - x0", "x0 in x2 - x0"], x, 2, y[2]);
         let y02 = side(["y2 - y0", "y2 in y2 - y0", "y0 in y2 - y0"], y, 2, x[2]);
-        let area2 = path.sum(
-            "twice the area",
-            Operator::Subtract,
-            [
-                path.product("(x1 - x0) (y2 - y0)", x01, y02),
-                path.product("(x2 - x0) (y1 - y0)", x02, y01),
-            ],
-            2 * bits + 4,
-        );
+        let names = ["twice the area", "(x1 - x0) (y2 - y0)", "(x2 - x0) (y1 - y0)"];
+        let area2 = determinant(path, names, [x01, y02, x02, y01], 2 * bits + 4);
         let turned = path.compare("negative area", area2, Relation::Less, 0);
         let area = path.choose(
             "magnitude of the area",
@@ -156,16 +167,9 @@ impl Unit<'_> {
 
     /// An edge function at the sample of pixel (0, 0), and its steps.
     fn edge(&self, path: &Path, k: usize, [x, y]: [[i128; 3]; 2]) -> [i128; 3] {
-        let end = |name, v: [i128; 3], pick| {
-            path.choose(
-                name,
-                pick,
-                [
-                    ("the first vertex", v[0]),
-                    ("the second vertex", v[1]),
-                    ("the third vertex", v[2]),
-                ],
-            )
+        let end = |name, v: [i128; 3], own: usize| {
+            let near = others(own).map(|n| (VERTICES[n], v[n]));
+            path.only(name, (VERTICES[own], v[own]), near)
         };
         let next = (k + 1) % 3;
         let (fx, fy) = (end(EDGE_FROM_X[k], x, k), end(EDGE_FROM_Y[k], y, k));
@@ -195,15 +199,8 @@ impl Unit<'_> {
         );
         let down = minus("sample y - fy of an edge", sy, fy);
         let across = minus("sample x - fx of an edge", sx, fx);
-        let value = path.sum(
-            "the edge function",
-            Operator::Subtract,
-            [
-                path.product("ex (sample y - fy)", ex, down),
-                path.product("ey (sample x - fx)", ey, across),
-            ],
-            2 * bits,
-        );
+        let names = ["the edge function", "ex (sample y - fy)", "ey (sample x - fx)"];
+        let value = determinant(path, names, [ex, down, ey, across], 2 * bits);
         let value =
             path.sum("the bias of an edge function", Operator::Subtract, [value, bias], 2 * bits);
         let (shift, scale) = match self.edge.storage {
@@ -213,16 +210,9 @@ impl Unit<'_> {
         let shift = path.number("low bits of an edge value that are dropped", shift.into());
         let a = path.sum("step a = fy - ty of an edge", Operator::Subtract, [fy, ty], bits);
         let b = path.sum("step b = tx - fx of an edge", Operator::Subtract, [tx, fx], bits);
-        let a = path.choose(
-            STEP_A[k],
-            0,
-            [("fy - ty", a), ("tx - fx", b), ("ty - fy", a.wrapping_neg())],
-        );
-        let b = path.choose(
-            STEP_B[k],
-            0,
-            [("tx - fx", b), ("fy - ty", fy - ty), ("fx - tx", b.wrapping_neg())],
-        );
+        let (own_a, own_b) = (("fy - ty", a), ("tx - fx", b));
+        let a = path.only(STEP_A[k], own_a, [own_b, ("ty - fy", a.wrapping_neg())]);
+        let b = path.only(STEP_B[k], own_b, [own_a, ("fx - tx", b.wrapping_neg())]);
         let steps = [("a", a), ("b", b)];
         let [a, b] = [0, 1].map(|pick| path.choose("steps a and b of every edge", pick, steps));
         [value >> shift.clamp(0, 100), a << scale, b << scale]

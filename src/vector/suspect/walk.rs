@@ -31,7 +31,11 @@ impl Suspects for WalkBench {
         for (change, also_state) in [(late, true), (lag, false)] {
             let before = right.shown(&crate::dda::Walker::new(read, 0, 0, 0));
             let device = Late { stepper: right, also_state, before };
-            list.push(Suspect { unsettled: 1, ..Suspect::new(self, change, device) });
+            list.push(Suspect {
+                unsettled: 1,
+                forgets: false,
+                ..Suspect::new(self, change, device)
+            });
         }
         let faults = Path::faults(|path| {
             let unit = Unit::new(kind, read);
@@ -41,7 +45,11 @@ impl Suspects for WalkBench {
             }
         });
         let faulty = |fault| Faulty::new(Unit::new(kind, read), fault);
-        list.extend(faults.iter().map(|fault| Suspect::at(self, fault, faulty(fault))));
+        list.extend(faults.iter().map(|fault| {
+            let suspect = Suspect::at(self, fault, faulty(fault));
+            // A load that does not load leaves what the walk before did.
+            Suspect { forgets: suspect.forgets && !fault.chooses(), ..suspect }
+        }));
         list
     }
 }

@@ -6,14 +6,13 @@ use crate::format::Column;
 /// Relations of what came to what was expected, that all differing rows of a column may have.
 #[derive(Clone, Debug)]
 pub(super) struct Relations {
-    /// Bits that differ somewhere, and bits that differ everywhere.
+    /// Bits that differ somewhere.
     any: u128,
-    all: u128,
     /// The one difference, if there is one.
     offset: Option<i128>,
     constant: Option<u128>,
     /// Whether each of the named relations holds in all rows so far.
-    holds: [bool; 6],
+    holds: [bool; 5],
     others: Vec<usize>,
     /// Rows with unknown bits.
     unknown: u64,
@@ -25,17 +24,15 @@ const NEGATED: usize = 0;
 const COMPLEMENT: usize = 1;
 const DOUBLED: usize = 2;
 const HALVED: usize = 3;
-const LAST_ROW: usize = 4;
-const LAST_TEST: usize = 5;
+const STALE: usize = 4;
 
 impl Relations {
     pub(super) fn new(columns: usize) -> Self {
         Self {
             any: 0,
-            all: u128::MAX,
             offset: None,
             constant: None,
-            holds: [true; 6],
+            holds: [true; 5],
             others: (0..columns).collect(),
             unknown: 0,
             first: true,
@@ -46,8 +43,7 @@ impl Relations {
         let (want, got) = (row.want[k], row.got[k]);
         let mask = u128::MAX >> (128 - column.width);
         self.any |= want ^ got;
-        self.all &= want ^ got;
-        let value = |word| crate::vector::dump::explain::value(column, word);
+        let value = |word| crate::vector::dump::value(column, word);
         let offset = value(got).wrapping_sub(value(want));
         if self.first {
             (self.offset, self.constant) = (Some(offset), Some(got));
@@ -60,8 +56,7 @@ impl Relations {
         self.holds[DOUBLED] &= want != 0 && got == want << 1;
         self.holds[HALVED] &=
             got == want >> 1 || got == (want >> 1 | want & (1 << (column.width - 1)));
-        self.holds[LAST_ROW] &= row.before.is_some_and(|last| last[k] == got);
-        self.holds[LAST_TEST] &= row.test_before.is_some_and(|last| last[k] == got);
+        self.holds[STALE] &= row.before.is_some_and(|before| before[k] == got);
         self.others.retain(|other| *other != k && row.want[*other] == got);
         self.unknown += u64::from(row.unknown[k] != 0);
     }
@@ -96,10 +91,8 @@ impl Relations {
             facts.extend(
                 named.iter().filter(|(holds, _)| *holds).map(|(_, text)| (*text).to_owned()),
             );
-            if self.holds[LAST_ROW] && rows > 1 {
+            if self.holds[STALE] && rows > 1 {
                 facts.push("always what the row before should have".to_owned());
-            } else if self.holds[LAST_TEST] && rows > 1 {
-                facts.push("always what the record before should have".to_owned());
             }
             let others = self.others.iter().filter(|_| rows > 1).map(|other| &columns[*other]);
             facts.extend(

@@ -89,16 +89,10 @@ impl<'p> Plane<'p> {
     ) -> Self {
         let [init, dx, dy] = words;
         let (x_name, y_name) = (("the box's x", x), ("the box's y", y));
-        let x = path.choose(
-            parts.across_by,
-            0,
-            [x_name, y_name, ("zero", 0), ("the box's x and one", x + 1)],
-        );
-        let y = path.choose(
-            parts.down_by,
-            0,
-            [y_name, x_name, ("zero", 0), ("the box's y and one", y + 1)],
-        );
+        let near = [y_name, ("zero", 0), ("the box's x and one", x + 1)];
+        let x = path.only(parts.across_by, x_name, near);
+        let near = [x_name, ("zero", 0), ("the box's y and one", y + 1)];
+        let y = path.only(parts.down_by, y_name, near);
         let (x, y) = (path.word(parts.x, x, PIXEL), path.word(parts.y, y, PIXEL));
         let across = path.product(parts.across, dx, x);
         let down = path.product(parts.down, dy, y);
@@ -114,7 +108,7 @@ impl<'p> Plane<'p> {
         let [_, dx, dy] = self.words;
         let steps = if side { self.parts.side_steps } else { self.parts.run_steps };
         let (own, other) = if side { (("dy", dy), ("dx", dx)) } else { (("dx", dx), ("dy", dy)) };
-        let step = self.path.choose(steps, 0, [own, other]);
+        let step = self.path.only(steps, own, [other]);
         let (dx, dy) = if side { (dx, step) } else { (step, dy) };
         self.stepper.clock(self.path, word, op, [init, dx, dy])
     }
@@ -126,19 +120,13 @@ impl<'p> Plane<'p> {
     }
 
     fn move_down(&mut self) {
-        let moves = self.path.choose(
-            self.parts.side_moves,
-            0,
-            [("a step down at the end of a row", 0), ("a hold", 1), ("a step right", 2)],
-        );
+        let own = ("a step down at the end of a row", Op::StepY);
+        let near = [("a hold", Op::Hold), ("a step right", Op::StepX)];
+        let op = self.path.only(self.parts.side_moves, own, near);
         let [_, _, dy] = self.words;
-        let from = self.path.choose(
-            self.parts.row_from,
-            0,
-            [("the left side", self.side), ("the end of the row above", self.run)],
-        );
+        let near = [("the end of the row above", self.run)];
+        let from = self.path.only(self.parts.row_from, ("the left side", self.side), near);
         let left = self.path.sum(self.parts.row, Operator::Add, [from, dy], self.stepper.width);
-        let op = [Op::StepY, Op::Hold, Op::StepX][usize::try_from(moves).unwrap_or_default()];
         self.side = self.clock(self.side, op, 0, true);
         self.run = self.clock(self.run, Op::Load, left, false);
     }
@@ -150,12 +138,9 @@ impl<'p> Plane<'p> {
     }
 
     fn move_right(&mut self) {
-        let moves = self.path.choose(
-            self.parts.run_moves,
-            0,
-            [("a step right after a sample", 0), ("a hold", 1), ("a step down", 2)],
-        );
-        let op = [Op::StepX, Op::Hold, Op::StepY][usize::try_from(moves).unwrap_or_default()];
+        let own = ("a step right after a sample", Op::StepX);
+        let near = [("a hold", Op::Hold), ("a step down", Op::StepY)];
+        let op = self.path.only(self.parts.run_moves, own, near);
         self.run = self.clock(self.run, op, 0, false);
     }
 }

@@ -1,6 +1,6 @@
 //! The depth plane of a set-up unit: numerators, three quotients, and their rounding.
 
-use super::{Three, Unit, difference};
+use super::{Three, Unit, determinant, difference};
 use crate::bits::Rounding;
 use crate::vector::suspect::fault::{Operator, Path, Relation};
 
@@ -27,24 +27,10 @@ impl Unit<'_> {
         let xac = side(["xc - xa", "xc in xc - xa", "xa in xc - xa"], x, 2, y[2]);
         let yac = side(["yc - ya", "yc in yc - ya", "ya in yc - ya"], y, 2, x[2]);
         let wide = 2 * bits;
-        let gx = path.sum(
-            "the numerator dz/dx",
-            Operator::Subtract,
-            [
-                path.product("(zb - za) (yc - ya)", zab, yac),
-                path.product("(zc - za) (yb - ya)", zac, yab),
-            ],
-            wide,
-        );
-        let gy = path.sum(
-            "the numerator dz/dy",
-            Operator::Subtract,
-            [
-                path.product("(xb - xa) (zc - za)", xab, zac),
-                path.product("(xc - xa) (zb - za)", xac, zab),
-            ],
-            wide,
-        );
+        let names = ["the numerator dz/dx", "(zb - za) (yc - ya)", "(zc - za) (yb - ya)"];
+        let gx = determinant(path, names, [zab, yac, zac, yab], wide);
+        let names = ["the numerator dz/dy", "(xb - xa) (zc - za)", "(xc - xa) (zb - za)"];
+        let gy = determinant(path, names, [xab, zac, xac, zab], wide);
         let [sx, sy] = self.grid.offset;
         let (sx, sy) = (
             path.number("x of the sample in the plane", sx),
@@ -59,7 +45,8 @@ impl Unit<'_> {
         let slope = fraction + i128::from(self.grid.sub_pixel);
         let numerators = [("the start's", gz), ("dz/dx", gx), ("dz/dy", gy)];
         let [start, dx, dy] = [0, 1, 2].map(|k| {
-            let numerator = path.choose(NUMERATORS[k], k, numerators);
+            let near = [numerators[(k + 1) % 3], numerators[(k + 2) % 3]];
+            let numerator = path.only(NUMERATORS[k], numerators[k], near);
             let scale = path.number(SCALES[k], if k == 0 { fraction } else { slope });
             let slopes = if k == 0 {
                 scale
@@ -90,34 +77,21 @@ impl Unit<'_> {
             return -1;
         }
         let (mut q, mut r) = (n / d, n % d);
-        let strict = path.choose(
-            "the divider subtracts where remainder",
-            0,
-            [(">= divisor", 0), ("> divisor", 1)],
-        );
-        if strict == 1 && r == 0 && q > 0 {
+        let name = "the divider subtracts where remainder";
+        let strict = path.only(name, (">= divisor", false), [("> divisor", true)]);
+        if strict && r == 0 && q > 0 {
             // An exact quotient leaves the whole divisor as its remainder.
             (q, r) = (q - 1, d);
         }
         if path.when("the divider stops one bit early", false) {
             (q, r) = (q >> 1, (q & 1) * d + r);
         }
-        let r = path
-            .choose(
-                "the divider's remainder",
-                0,
-                [
-                    ("the remainder", r.cast_signed()),
-                    ("zero", 0),
-                    ("twice the remainder", (2 * r).cast_signed()),
-                    ("half the remainder", (r >> 1).cast_signed()),
-                ],
-            )
-            .cast_unsigned();
+        let near = [("zero", 0), ("twice the remainder", 2 * r), ("half the remainder", r >> 1)];
+        let r = path.only("the divider's remainder", ("the remainder", r), near).cast_signed();
         let q = path.sum("the quotient", Operator::Add, [q.cast_signed(), 0], 2);
         let d = d.cast_signed();
-        let twice = r.cast_signed().wrapping_mul(2);
-        let inexact = path.compare("inexact: remainder", r.cast_signed(), Relation::Unequal, 0);
+        let twice = r.wrapping_mul(2);
+        let inexact = path.compare("inexact: remainder", r, Relation::Unequal, 0);
         let over = path.compare(
             "more than half: twice the remainder against the divisor",
             twice,
@@ -130,15 +104,10 @@ impl Unit<'_> {
             Relation::Equal,
             d,
         );
-        let odd = path.choose(
-            "the bit that decides a tie",
-            0,
-            [
-                ("the quotient's lowest bit", q & 1),
-                ("its second bit", q >> 1 & 1),
-                ("its third bit", q >> 2 & 1),
-            ],
-        ) == 1;
+        let near = [("its second bit", q >> 1 & 1), ("its third bit", q >> 2 & 1)];
+        let odd =
+            path.only("the bit that decides a tie", ("the quotient's lowest bit", q & 1), near)
+                == 1;
         let odd = path.when("an odd quotient", odd);
         let minus = path.when("a negative quotient, for its rounding", negative);
         let up = match self.depth.config().rounding {
