@@ -7,6 +7,7 @@ mod compare;
 mod diff;
 mod eval;
 mod explore;
+mod export;
 mod failure;
 mod fit;
 mod output;
@@ -45,6 +46,7 @@ enum Command {
     Diff(diff::Arguments),
     Eval(eval::Arguments),
     Explore(explore::Arguments),
+    Export(export::Arguments),
     Fit(fit::Arguments),
     Profile(profile::Arguments),
     Prove(prove::Arguments),
@@ -94,6 +96,7 @@ pub fn main(machines: &[guardbit::machine::Own]) -> ExitCode {
         Command::Diff(arguments) => diff::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explore(arguments) => explore::run(&arguments),
+        Command::Export(arguments) => export::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),

@@ -10,6 +10,7 @@ pub mod emit;
 pub mod manifest;
 pub mod package;
 pub mod plan;
+pub mod reference;
 pub mod suspect;
 pub mod table;
 pub mod write;

@@ -1,6 +1,8 @@
 //! Trials that need a program from outside; without it they count as ignored.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "tools/export.rs"]
+mod export;
 #[path = "tools/prover.rs"]
 mod prover;
 #[path = "support/run.rs"]
@@ -49,6 +51,28 @@ const SLURM: Tool = Tool {
     package: "apt-get install slurmctld slurmd slurm-client munge",
 };
 
+const GCC: Tool = Tool {
+    name: "gcc",
+    programs: &["gcc", "cc", "clang"],
+    version: "--version",
+    hardware: false,
+    package: "apt-get install gcc",
+};
+const CPP: Tool = Tool {
+    name: "g++",
+    programs: &["g++", "c++", "clang++"],
+    version: "--version",
+    hardware: false,
+    package: "apt-get install g++",
+};
+const PYTHON: Tool = Tool {
+    name: "python3",
+    programs: &["python3"],
+    version: "--version",
+    hardware: false,
+    package: "apt-get install python3",
+};
+
 fn main() {
     let trials = vec![
         CHROMIUM.trial("a_browser_draws_the_page_and_clicks_through_it", page_of_two_fields),
@@ -70,6 +94,14 @@ fn main() {
             "gappa_reads_the_file_and_refuses_a_spoiled_one",
             prover::gappa_reads_the_file_and_refuses_a_spoiled_one,
         ),
+        GCC.trial("exported_c_agrees", export::c_agrees),
+        GCC.soak_trial("exported_c_agrees_on_a_million_cases", export::c_agrees_on_a_million),
+        CPP.trial("exported_cpp_agrees", export::cpp_agrees),
+        PYTHON.trial("exported_python_agrees", export::python_agrees),
+        tool::ICARUS.trial("exported_systemverilog_agrees", export::systemverilog_agrees),
+        tool::VERILATOR
+            .trial("verilator_finds_nothing_in_exports", export::verilator_finds_nothing),
+        tool::YOSYS.trial("yosys_reads_exported_modules", export::yosys_reads_the_modules),
         SHELLCHECK.trial("the_scripts_are_clean", slurm::scripts_are_clean),
         SLURM.soak_trial(
             "job_arrays_do_what_the_readme_says",

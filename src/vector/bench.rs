@@ -24,7 +24,7 @@ pub(in crate::vector) use triangle::word_engine;
 pub use triangle::{TriangleBench, TriangleTest};
 pub(in crate::vector) use walk::read_out;
 pub use walk::{WalkBench, WalkKind, WalkTest};
-pub(in crate::vector) use word::ready;
+pub(in crate::vector) use word::{bounds, ready};
 
 use super::suspect::Suspects;
 use super::table::RowFormat;

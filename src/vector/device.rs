@@ -11,7 +11,7 @@ mod words;
 pub(super) use register::{Recorder, records};
 pub(super) use setup::{SetUp, setup_words};
 pub(super) use shape::ShapeDrawer;
-pub(super) use triangle::{Drawer, drawing, grid, summary};
+pub(super) use triangle::{Drawer, draw, drawing, grid, summary};
 pub(super) use walk::{Operands, Stepper, guard, reference as walker, signed};
 
 use super::bench::{Answers, Coverage};

@@ -27,6 +27,7 @@ pub use keyword::identifier;
 use plan::Plan;
 pub use plan::Unchecked;
 use record::Record;
+pub(super) use template::{comment, fill};
 
 /// One data file of a set: its name, how many records it holds and what a record is made of.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -5,6 +5,7 @@ mod interface;
 mod place;
 
 pub use finish::{account, companions, scene_text, unchecked};
+pub(super) use interface::{Devices, devices};
 
 use super::bench::{Bench, Source};
 use super::emit::{Emitted, Output, emit, files};

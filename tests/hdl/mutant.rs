@@ -85,11 +85,12 @@ fn fate(sets: &[PathBuf], mutant: &Mutant) -> Fate {
                 std::fs::hard_link(entry.path(), home.path().join(name)).unwrap();
             }
         }
-        // The divider of hardware, with its steps.
-        let devices = std::fs::read_to_string(set.join("dut.sv"))
-            .unwrap()
-            .replace("parameter int SERIAL = 0", "parameter int SERIAL = 1");
-        assert_eq!(devices.matches("parameter int SERIAL = 1").count(), 2);
+        let mut devices = std::fs::read_to_string(set.join("dut.sv")).unwrap();
+        if ["setup_divider", "triangle_setup"].contains(&mutant.module.as_str()) {
+            // The divider of hardware, with its steps, takes twice the time.
+            devices = devices.replace("parameter int SERIAL = 0", "parameter int SERIAL = 1");
+            assert_eq!(devices.matches("parameter int SERIAL = 1").count(), 2);
+        }
         std::fs::write(home.path().join("dut.sv"), mutate(&devices, mutant)).unwrap();
         let file = |name: &str| set.join(name).display().to_string();
         let build = ["-g2012", "-o", "sim.vvp", &file("pkg.sv"), "dut.sv", &file("tb.sv")];

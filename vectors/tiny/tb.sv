@@ -690,6 +690,7 @@ module setup_check (
     localparam logic [63:0] REPORTED = 20;
     localparam integer PATIENCE = 100000;   // clocks without a transfer
     localparam integer IDLE = 300;          // clocks after which nothing is under way
+    localparam integer MOST_EXTRAS = 4 * SETUP_CFG_ROWS + 1000;
 
     line_reader #(
         .NAME("setup.cfg.tv"), .ROWS(SETUP_CFG_ROWS), .CHARS(SETUP_CFG_LINE),
@@ -958,7 +959,7 @@ module setup_check (
     task extra;
         begin
             extras = extras + 1;
-            if (extras > PATIENCE) begin
+            if (extras > MOST_EXTRAS) begin
                 $display("FAIL setup: %0d rows too much, %0d of %0d records taken", extras, cfg_file.line - 64'(in_valid), SETUP_CFG_ROWS);
                 $fatal(1, "the device answers without end");
             end
@@ -1072,6 +1073,7 @@ module triangle_check (
     localparam logic [63:0] REPORTED = 20;
     localparam integer PATIENCE = 100000;   // clocks without a transfer
     localparam integer IDLE = 300;          // clocks after which nothing is under way
+    localparam integer MOST_EXTRAS = 4 * TRIANGLE_CFG_ROWS + 1000;
 
     line_reader #(
         .NAME("triangle.cfg.tv"), .ROWS(TRIANGLE_CFG_ROWS), .CHARS(TRIANGLE_CFG_LINE),
@@ -1610,7 +1612,7 @@ module triangle_check (
     task extra;
         begin
             extras = extras + 1;
-            if (extras > PATIENCE) begin
+            if (extras > MOST_EXTRAS) begin
                 $display("FAIL triangle: %0d rows too much, %0d of %0d records taken", extras, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
                 $fatal(1, "the device answers without end");
             end

@@ -22,7 +22,7 @@ pub(in crate::vector) fn ready(profile: &Profile, draws: bool) -> Model {
 }
 
 /// The bounding box of a triangle in the window: x0 y0 x1 y1, half-open.
-pub(super) fn bounds(model: &Model, triangle: &Triangle) -> [u32; 4] {
+pub(in crate::vector) fn bounds(model: &Model, triangle: &Triangle) -> [u32; 4] {
     let (clip, grid) = (model.clip(), grid(model));
     let (x0, x1) = clip.clip(0, grid.pixels(0, triangle.extent(0)));
     let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));

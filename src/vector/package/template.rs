@@ -5,7 +5,7 @@ use crate::format::Clamp;
 
 /// The template with each `@KEY@` replaced by its value. Values are not searched again for keys
 /// that come before them in the list.
-pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
+pub(in crate::vector) fn fill(template: &str, values: &[(&str, &str)]) -> String {
     values
         .iter()
         .fold(template.to_owned(), |text, (key, value)| text.replace(&format!("@{key}@"), value))
@@ -13,7 +13,7 @@ pub(super) fn fill(template: &str, values: &[(&str, &str)]) -> String {
 
 /// Text for a comment in any target language: printable ASCII on one line that neither opens nor
 /// closes a block comment.
-pub(super) fn comment(text: &str) -> String {
+pub(in crate::vector) fn comment(text: &str) -> String {
     let plain: String = text
         .trim()
         .chars()

@@ -1,7 +1,7 @@
 //! What the generated files of a set depend on: read-out, set-up and engine, as the profile has them.
 
 use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule};
-use crate::format::Clamp;
+use crate::format::{Clamp, ReadOut};
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
 use crate::setup::Division;
@@ -33,6 +33,30 @@ pub(super) fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> In
     let (setup, engine, quads) = (setup(profile), engine(profile), quads(profile));
     let set = set.to_owned();
     Interface { set, model_version: MODEL_VERSION, clamp, setup, engine, quads, files }
+}
+
+/// What the devices that draw a profile are told.
+pub(in crate::vector) struct Devices {
+    pub(in crate::vector) edge: EdgeWordConfig,
+    pub(in crate::vector) depth: DepthConfig,
+    pub(in crate::vector) setup: SetupParameters,
+}
+
+/// Set-up and engine of a profile, or why no device does what it asks.
+pub(in crate::vector) fn devices(profile: &Profile) -> Result<Devices, String> {
+    let (edge, depth) = drawn(profile)?;
+    let setup = setup(profile)?;
+    engine(profile)?;
+    Ok(Devices { edge, depth, setup })
+}
+
+impl Devices {
+    /// The registers of depth and of an edge.
+    pub(in crate::vector) fn registers(&self) -> [ReadOut; 2] {
+        let DepthConfig { guard, integer, interpolation, clamp, .. } = self.depth;
+        [ReadOut::new(guard, integer, interpolation, clamp).ok(), self.edge.read_out()]
+            .map(|read| read.unwrap_or_else(|| unreachable!("a valid profile")))
+    }
 }
 
 /// The edge words and the depth of the profiles that the devices draw, or what keeps them from it.

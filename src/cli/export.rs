@@ -1,0 +1,29 @@
+//! `guardbit export`: a profile as a reference in one file.
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::Output;
+use guardbit::profile;
+use guardbit::vector::reference::{Language, reference};
+
+/// Print a profile as a reference in one file, exact in every bit, without any dependency.
+///
+/// The file has the widths of the profile, functions for the read-out, the DDA, the edge stepper, the set-up,
+/// the box, coverage and depth, and a self test against this model. The same profile gives the same text.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The profile: a built-in name or a TOML file.
+    profile: String,
+    /// The language.
+    #[arg(long = "as", value_name = "LANGUAGE")]
+    language: Language,
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    let profile = profile::load(&arguments.profile)?;
+    let text = reference(&profile, arguments.language).map_err(Failure::input)?;
+    let mut output = Output::new();
+    output.text(text)?;
+    output.flush()?;
+    Ok(Outcome::Good)
+}
