@@ -5,6 +5,7 @@ mod budget;
 mod claims;
 mod compare;
 mod diff;
+mod equivalence;
 mod eval;
 mod explore;
 mod export;

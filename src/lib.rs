@@ -54,7 +54,8 @@
 //! 11. [`model`]: a validated profile that draws; the entry point to all modules before it
 //! 12. `case`: test stimulus by class, determined by seed, class and index
 //! 13. `measure`: error, cost, speed, budgets
-//! 14. `vector`: golden sets, their verification, diagnosis of device dumps
+//! 14. `vector`: golden sets, their verification, diagnosis of device dumps, references in one file, proofs of a
+//!     module's equivalence
 //! 15. `explore`: sweeps and searches over budgets, proofs of how few bits are enough, known facts recomputed
 //!
 //! The feature `cli` adds the command. Your own program can call `cli::main` with your own machines; it is

@@ -7,6 +7,7 @@ pub mod device;
 pub mod diff;
 pub mod dump;
 pub mod emit;
+pub mod equivalence;
 pub mod manifest;
 pub mod package;
 pub mod plan;

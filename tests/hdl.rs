@@ -8,6 +8,8 @@ mod bench;
 mod blind;
 #[path = "hdl/cost.rs"]
 mod cost;
+#[path = "hdl/equivalence.rs"]
+mod equivalence;
 #[path = "hdl/foreign.rs"]
 mod foreign;
 #[path = "hdl/formal.rs"]
@@ -68,6 +70,12 @@ fn main() {
         solver.trial("words_wrap_as_proved", formal::words_wrap),
         solver.trial("the_guard_clamp_holds_as_proved", formal::guard_clamps),
         solver.trial("edge_words_fit_as_proved", formal::edges_fit),
+        solver.trial("shipped_devices_are_proved_equal", equivalence::shipped_devices),
+        solver.trial("a_foreign_device_is_proved_equal", equivalence::foreign_device),
+        solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
+        solver.soak_trial("defects_of_steppers_are_refuted", blind::proof::defects),
+        settler().soak_trial("no_proof_of_a_blind_mutant_is_wrong", blind::proof::sampled),
+        both(GHDL, YOSYS).trial("vhdl_devices_are_proved_equal", equivalence::vhdl_devices),
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
         ICARUS.trial("the_readmes_buggy_adder_is_named", readme::buggy_adder),
         ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),

@@ -54,6 +54,8 @@ pub(crate) struct Arguments {
     /// Print the report as JSON.
     #[arg(long)]
     json: bool,
+    #[command(flatten)]
+    equivalence: super::equivalence::Options,
 }
 
 /// The first claim asked for, and all of them.
@@ -70,6 +72,13 @@ struct Report<'a> {
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if !arguments.equivalence.rtl.is_empty() {
+        return super::equivalence::run(
+            &arguments.profile,
+            arguments.limit,
+            &arguments.equivalence,
+        );
+    }
     let (about, proofs) = ask(arguments)?;
     write_files(arguments, &proofs)?;
     let checks = if arguments.check { Some(check(&proofs, arguments.limit)?) } else { None };

@@ -89,7 +89,7 @@ pub fn reference(profile: &Profile, language: Language) -> Result<String, Refere
 /// set-up and the samples.
 ///
 /// # Errors
-/// [`ReferenceError`] as [`reference`] has them.
+/// [`ReferenceError`] as [`reference()`] has them.
 pub fn digests(profile: &Profile, seed: u64, cases: u64) -> Result<[u64; 4], ReferenceError> {
     let devices = devices(profile).map_err(|reason| refused(profile, reason))?;
     Ok(stimulus::digests(profile, devices.registers(), seed, cases))

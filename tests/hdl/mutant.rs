@@ -136,9 +136,24 @@ fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
     }
 }
 
-pub(crate) fn caught_and_named(_: &str) {
+fn mutants() -> Mutants {
     let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/mutants.toml");
-    let mutants: Mutants = toml::from_str(&std::fs::read_to_string(source).unwrap()).unwrap();
+    toml::from_str(&std::fs::read_to_string(source).unwrap()).unwrap()
+}
+
+/// The mutants of the DDA and of the edge stepper: id, module, whether nothing is wrong, and the devices.
+pub(crate) fn steppers(devices: &str) -> Vec<(String, String, bool, String)> {
+    let all = mutants().mutant.into_iter();
+    let own = all.filter(|mutant| ["dda", "edge_stepper"].contains(&mutant.module.as_str()));
+    own.map(|mutant| {
+        let text = mutate(devices, &mutant);
+        (mutant.id, mutant.module, mutant.equivalent.is_some(), text)
+    })
+    .collect()
+}
+
+pub(crate) fn caught_and_named(_: &str) {
+    let mutants = mutants();
     let only = std::env::var("GUARDBIT_MUTANT").unwrap_or_default();
     let mutants: Vec<Mutant> =
         mutants.mutant.into_iter().filter(|mutant| mutant.id.contains(&only)).collect();

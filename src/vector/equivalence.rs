@@ -1,0 +1,312 @@
+//! Whether a module of a user's RTL is the unit of a profile, for all inputs and for all time: by free tools,
+//! against the reference of [`super::reference`]. Spec clause `J-9`.
+
+mod map;
+mod miter;
+mod netlist;
+mod tool;
+mod work;
+
+pub use map::{Map, MapError, Reset};
+pub use netlist::Port;
+
+use super::reference::{Language, ReferenceError, reference};
+use super::write::devices;
+use crate::profile::Profile;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use work::Work;
+
+/// The unit that a module is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Block {
+    /// The depth DDA with its read-out.
+    Dda,
+    /// The edge stepper with its sign test.
+    EdgeStepper,
+}
+
+/// A signal of a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// Its name in a map.
+    pub name: &'static str,
+    /// Its port in the devices of `hdl` and in the reference.
+    pub port: &'static str,
+    /// Its bits.
+    pub width: u32,
+    /// Whether the unit answers it.
+    pub output: bool,
+}
+
+impl Block {
+    /// The module of `hdl` and of the reference.
+    pub const fn module(self) -> &'static str {
+        match self {
+            Self::Dda => "dda",
+            Self::EdgeStepper => "edge_stepper",
+        }
+    }
+
+    /// Its signals in a profile, beside clock and reset.
+    fn signals(self, [word, out]: [u32; 2]) -> [Signal; 6] {
+        let signal = |name, port, width, output| Signal { name, port, width, output };
+        match self {
+            Self::Dda => [
+                signal("op", "op", 2, false),
+                signal("init", "init", word, false),
+                signal("dx", "dx", word, false),
+                signal("dy", "dy", word, false),
+                signal("acc", "acc", word, true),
+                signal("out", "out_v", out, true),
+            ],
+            Self::EdgeStepper => [
+                signal("op", "op", 2, false),
+                signal("e0", "e0", word, false),
+                signal("ea", "ea", word, false),
+                signal("eb", "eb", word, false),
+                signal("e", "e", word, true),
+                signal("in", "in_v", 1, true),
+            ],
+        }
+    }
+}
+
+/// What was asked.
+#[derive(Clone, Debug)]
+pub struct Question<'a> {
+    /// The profile.
+    pub profile: &'a Profile,
+    /// Its unit.
+    pub block: Block,
+    /// The files of the module.
+    pub rtl: &'a [PathBuf],
+    /// How the module's ports are the unit's signals; `None`: as the devices of `hdl` call them.
+    pub map: Option<&'a Map>,
+    /// A folder for all texts and for what the tools print. It must not be there yet.
+    pub folder: &'a Path,
+    /// How long each tool may run.
+    pub limit: Duration,
+}
+
+/// What became of it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// No input ever makes a difference.
+    Proved {
+        /// What proved it.
+        engine: &'static str,
+        /// Its own words.
+        words: String,
+    },
+    /// Some inputs do: a waveform of the folder shows them.
+    Refuted {
+        /// The file in the folder.
+        wave: &'static str,
+    },
+    /// Nobody knows.
+    Undecided {
+        /// What the tools said.
+        words: String,
+    },
+}
+
+/// A verdict, and what it rests on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Answer {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What was taken for granted.
+    pub assumed: Vec<String>,
+    /// The unit's signals.
+    pub signals: Vec<Signal>,
+    /// How long it took.
+    pub seconds: f64,
+}
+
+/// Why a question has no answer.
+#[derive(Debug, thiserror::Error)]
+pub enum EquivalenceError {
+    /// The profile has no reference.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
+    /// The map does not fit.
+    #[error(transparent)]
+    Map(#[from] MapError),
+    /// The module is none that can be proved.
+    #[error("{module}: {what}")]
+    Design {
+        /// The module.
+        module: String,
+        /// What is wrong with it and what to do.
+        what: String,
+    },
+    /// A tool is missing.
+    #[error("{tool} is not on the search path: apt-get install yosys z3, and ghdl for VHDL")]
+    Missing {
+        /// The tool.
+        tool: &'static str,
+    },
+    /// A tool failed.
+    #[error("{tool} stopped: {words}; its output is in {log}")]
+    Tool {
+        /// The tool.
+        tool: &'static str,
+        /// The line that says why.
+        words: String,
+        /// The file of all it printed.
+        log: String,
+    },
+    /// A file or folder.
+    #[error("{path}: {source}")]
+    Io {
+        /// Which.
+        path: String,
+        /// Why.
+        source: std::io::Error,
+    },
+}
+
+fn io(path: &Path) -> impl FnOnce(std::io::Error) -> EquivalenceError {
+    let path = path.display().to_string();
+    |source| EquivalenceError::Io { path, source }
+}
+
+/// The ports of a module, as yosys reads them; without a name, of the one that no other has in it.
+///
+/// # Errors
+/// [`EquivalenceError`] if yosys is missing or does not read the files.
+pub fn ports(
+    rtl: &[PathBuf],
+    module: Option<&str>,
+    parameters: &[(String, i64)],
+    folder: &Path,
+    limit: Duration,
+) -> Result<(String, Vec<Port>), EquivalenceError> {
+    let work = Work { folder, limit };
+    let top = module.map_or_else(|| "-auto-top".to_owned(), |name| format!("-top {name}"));
+    let (read, parameters) = work.sources(rtl, module, parameters)?;
+    let mut set = String::new();
+    for (name, value) in parameters {
+        set.extend([" -chparam ", name, " ", &value.to_string()]);
+    }
+    let script = format!("{read}\nhierarchy -check {top}{set}\nproc\nwrite_json ports.json\n");
+    work.yosys("ports", &script)?;
+    netlist::top(&work.read("ports.json")?).map_err(|what| EquivalenceError::Design {
+        module: module.unwrap_or("the files").to_owned(),
+        what,
+    })
+}
+
+/// Asks the tools.
+///
+/// # Errors
+/// [`EquivalenceError`] if the profile has no reference, the map does not fit, the module holds what no proof
+/// here takes, a tool is missing, or a file cannot be written.
+pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
+    let begun = Instant::now();
+    let Question { profile, block, rtl, folder, limit, .. } = *question;
+    let text = reference(profile, Language::Sv)?;
+    let registers = devices(profile)
+        .map(|devices| devices.registers())
+        .map_err(|reason| ReferenceError::Profile { profile: profile.name.clone(), reason })?;
+    let signals = block.signals(match block {
+        Block::Dda => [registers[0].width(), registers[0].integer()],
+        Block::EdgeStepper => [registers[1].width(), 1],
+    });
+    let own = Map::of_devices(block, &signals);
+    let map = question.map.unwrap_or(&own);
+    map.is_spelt()?;
+    std::fs::create_dir(folder).map_err(io(folder))?;
+    let work = Work { folder, limit };
+    let parameters: Vec<(String, i64)> = match question.map {
+        Some(map) => map.parameters.clone().into_iter().collect(),
+        None => Map::parameters_of_devices(block, registers),
+    };
+    let (_, ports) = ports(rtl, Some(&map.module), &parameters, folder, limit)?;
+    let code_bits = map.fits(&signals, &ports)?;
+    let name =
+        format!("{}_reference_{}", super::package::identifier(&profile.name), block.module());
+    work.write("reference.sv", &text)?;
+    let (device, parameters) = work.sources(rtl, Some(&map.module), &parameters)?;
+    work.write("miter.sv", &miter::text(&name, (map, code_bits), parameters, &signals))?;
+    let read = format!(
+        "{device}\nchformal -remove\nread_verilog -sv reference.sv\n\
+         read_verilog -sv -formal miter.sv\nhierarchy -check -top guardbit_miter\nproc\nflatten\n\
+         setundef -undriven -anyseq\nmemory\nopt_clean\n"
+    );
+    // What is checked is what stands there before a latch can be made a register.
+    let write = "write_json netlist.json\nasync2sync\nopt_clean\nwrite_rtlil netlist.il\n";
+    work.yosys("netlist", &format!("{read}{write}"))?;
+    netlist::check(&work.read("netlist.json")?)
+        .map_err(|what| EquivalenceError::Design { module: map.module.clone(), what })?;
+    let answer = |verdict| Answer {
+        verdict,
+        assumed: map.assumed(),
+        signals: signals.to_vec(),
+        seconds: begun.elapsed().as_secs_f64(),
+    };
+    // A proof in which nothing is ever compared would be none.
+    work.aiger("compared", "bad")?;
+    let reach =
+        work.run("yosys-abc", &["-c", "read_aiger compared.aig; strash; pdr"], "compared.log")?;
+    let reached = reach.is_some_and(|ran| ran.says("was asserted in frame"));
+    if !reached {
+        let words =
+            "no input leads to a clock at which answers are compared, or none was found".to_owned();
+        return Ok(answer(Verdict::Undecided { words }));
+    }
+    work.aiger("bad", "compared")?;
+    let pdr = work.run("yosys-abc", &["-c", "read_aiger bad.aig; strash; pdr"], "pdr.log")?;
+    let mut words = Vec::new();
+    Ok(answer(match pdr {
+        Some(ran) if ran.good && ran.says("Property proved.") => {
+            Verdict::Proved { engine: "yosys-abc pdr", words: ran.last() }
+        }
+        other => {
+            words.push(other.map_or_else(
+                || format!("yosys-abc pdr ran longer than {} s", limit.as_secs()),
+                |ran| format!("yosys-abc pdr: {}", ran.last()),
+            ));
+            search(&work, map.latency, words)?
+        }
+    }))
+}
+
+/// Looks for inputs that make a difference, from reset on.
+fn search(
+    work: &Work<'_>,
+    latency: u32,
+    mut words: Vec<String>,
+) -> Result<Verdict, EquivalenceError> {
+    work.yosys("smt2", "read_rtlil netlist.il\nwrite_smt2 -wires miter.smt2\n")?;
+    if !work.read("miter.smt2")?.contains("yosys-smt2-assert") {
+        words.push("yosys wrote no assertion, so no search was made".to_owned());
+        return Ok(Verdict::Undecided { words: words.join("; ") });
+    }
+    let depth = (latency + 12).to_string();
+    let arguments = [
+        "-s",
+        "z3",
+        "-t",
+        &depth,
+        "--noprogress",
+        "--dump-vcd",
+        "counterexample.vcd",
+        "miter.smt2",
+    ];
+    let ran = work.run("yosys-smtbmc", &arguments, "smtbmc.log")?;
+    Ok(match ran {
+        Some(ran) if ran.says("Status: FAILED") || ran.says("Status: failed") => {
+            Verdict::Refuted { wave: "counterexample.vcd" }
+        }
+        other => {
+            words.push(other.map_or_else(
+                || format!("yosys-smtbmc ran longer than {} s", work.limit.as_secs()),
+                |ran| format!("yosys-smtbmc, {depth} clocks: {}", ran.last()),
+            ));
+            Verdict::Undecided { words: words.join("; ") }
+        }
+    })
+}

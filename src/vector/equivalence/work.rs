@@ -1,0 +1,143 @@
+//! The folder of a question, and the tools that run in it.
+
+use super::tool::{self, Ran};
+use super::{EquivalenceError, io};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// Parameters of a module, with their values.
+type Parameters = [(String, i64)];
+
+/// The folder of a question, and what runs in it.
+pub(super) struct Work<'a> {
+    pub(super) folder: &'a Path,
+    pub(super) limit: Duration,
+}
+
+impl Work<'_> {
+    pub(super) fn write(&self, name: &str, text: &str) -> Result<(), EquivalenceError> {
+        let path = self.folder.join(name);
+        std::fs::write(&path, text).map_err(io(&path))
+    }
+
+    pub(super) fn read(&self, name: &str) -> Result<String, EquivalenceError> {
+        let path = self.folder.join(name);
+        std::fs::read_to_string(&path).map_err(io(&path))
+    }
+
+    /// Runs a tool; what it prints stays in a file. `None` after the limit.
+    pub(super) fn run(
+        &self,
+        tool: &'static str,
+        arguments: &[&str],
+        log: &str,
+    ) -> Result<Option<Ran>, EquivalenceError> {
+        self.run_into(tool, arguments, (log, None))
+    }
+
+    /// The same, with what the tool prints as its result in a file of its own.
+    pub(super) fn run_into(
+        &self,
+        tool: &'static str,
+        arguments: &[&str],
+        (log, output): (&str, Option<&str>),
+    ) -> Result<Option<Ran>, EquivalenceError> {
+        let path = self.folder.join(log);
+        let output = output.map(|name| self.folder.join(name));
+        match tool::run(self.folder, (tool, arguments), (&path, output.as_deref()), self.limit) {
+            Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
+                Err(EquivalenceError::Missing { tool })
+            }
+            other => other.map_err(io(&path)),
+        }
+    }
+
+    /// A tool that has to end well.
+    pub(super) fn good(
+        &self,
+        tool: &'static str,
+        ran: Option<Ran>,
+        log: &str,
+    ) -> Result<(), EquivalenceError> {
+        let failed = |words: String| EquivalenceError::Tool {
+            tool,
+            words,
+            log: self.folder.join(log).display().to_string(),
+        };
+        let Some(ran) = ran else {
+            return Err(failed(format!("it ran longer than {} s", self.limit.as_secs())));
+        };
+        if ran.good {
+            return Ok(());
+        }
+        let line = ran.text.lines().find(|line| line.to_lowercase().contains("error"));
+        Err(failed(line.or(ran.text.lines().last()).unwrap_or("it said nothing").to_owned()))
+    }
+
+    /// Lets yosys run a script, which has to end well.
+    pub(super) fn yosys(&self, name: &str, script: &str) -> Result<(), EquivalenceError> {
+        let (file, log) = (format!("{name}.ys"), format!("{name}.log"));
+        self.write(&file, script)?;
+        let ran = self.run("yosys", &["-q", &file], &log)?;
+        self.good("yosys", ran, &log)
+    }
+
+    /// Lets yosys read the files of a module, and says what else sets its parameters; VHDL goes through GHDL,
+    /// which sets them itself.
+    pub(super) fn sources<'p>(
+        &self,
+        rtl: &[PathBuf],
+        module: Option<&str>,
+        parameters: &'p Parameters,
+    ) -> Result<(String, &'p Parameters), EquivalenceError> {
+        let is_vhdl = |file: &PathBuf| {
+            let ending = file.extension().unwrap_or_default();
+            ["vhd", "vhdl"].iter().any(|known| ending.eq_ignore_ascii_case(known))
+        };
+        let (vhdl, verilog): (Vec<PathBuf>, Vec<PathBuf>) = rtl.iter().cloned().partition(is_vhdl);
+        let read = format!("read_verilog -sv{}", files(&verilog)?);
+        if vhdl.is_empty() {
+            return Ok((read, parameters));
+        }
+        let paths: Result<Vec<_>, _> =
+            vhdl.iter().map(|file| file.canonicalize().map_err(io(file))).collect();
+        let generics = parameters.iter().map(|(name, value)| format!("-g{name}={value}"));
+        let mut arguments =
+            vec!["--synth".to_owned(), "--std=08".to_owned(), "--out=verilog".to_owned()];
+        arguments.extend(generics);
+        arguments.extend(paths?.iter().map(|path| path.display().to_string()));
+        arguments.push("-e".to_owned());
+        arguments.extend(module.map(str::to_owned));
+        let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+        let ran = self.run_into("ghdl", &arguments, ("ghdl.log", Some("device.v")))?;
+        self.good("ghdl", ran, "ghdl.log")?;
+        Ok((format!("{read} device.v"), &[]))
+    }
+
+    /// The netlist as gates, with one of its two outputs.
+    pub(super) fn aiger(&self, output: &str, other: &str) -> Result<(), EquivalenceError> {
+        self.yosys(
+            &format!("aiger-{output}"),
+            &format!(
+                "read_rtlil netlist.il\nchformal -remove\ndelete -output w:{other}\n\
+                 formalff -clk2ff -ff2anyinit\ntechmap\nopt_clean\nabc -g AND -fast\nopt_clean\n\
+                 write_aiger -zinit {output}.aig\n"
+            ),
+        )
+    }
+}
+
+/// The names of files in a script of yosys.
+fn files(rtl: &[PathBuf]) -> Result<String, EquivalenceError> {
+    let mut names = String::new();
+    for file in rtl {
+        let path = file.canonicalize().map_err(io(file))?;
+        let name = path.display().to_string();
+        if name.contains('"') {
+            let source = std::io::Error::other("a name with a quotation mark is none for yosys");
+            return Err(EquivalenceError::Io { path: name, source });
+        }
+        names.extend([" \"", &name, "\""]);
+    }
+    Ok(names)
+}

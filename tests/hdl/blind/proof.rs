@@ -1,0 +1,93 @@
+//! No proof is wrong: mutants of the steppers that `prove --rtl` calls equal answer every row of a set.
+
+use super::sample::{Devices, Sample, week};
+use super::{build, number};
+use crate::mutant::steppers;
+use crate::run::run_in;
+use crate::set::run;
+use guardbit::profile;
+use guardbit::vector::equivalence::{Block, Question, Verdict, prove};
+use std::path::Path;
+use std::time::{Duration, SystemTime};
+
+fn block(module: &str) -> Option<Block> {
+    [Block::Dda, Block::EdgeStepper].into_iter().find(|block| block.module() == module)
+}
+
+/// What a proof says of the devices in a file.
+fn verdict(home: &Path, devices: &str, block: Block) -> Verdict {
+    let rtl = [home.join("dut.sv")];
+    std::fs::write(&rtl[0], devices).unwrap();
+    let folder = home.join("proof");
+    if folder.exists() {
+        std::fs::remove_dir_all(&folder).unwrap();
+    }
+    let profile = profile::load("sgi-4k").unwrap();
+    let limit = Duration::from_mins(1);
+    let question =
+        Question { profile: &profile, block, rtl: &rtl, map: None, folder: &folder, limit };
+    prove(&question).unwrap().verdict
+}
+
+/// The defects of `mutants.toml` are refuted; those that are none are proved.
+pub(crate) fn defects(_: &str) {
+    let home = tempfile::tempdir().unwrap();
+    run_in(home.path(), "vectors sgi-4k --size smoke --out set").ends(0);
+    let devices = std::fs::read_to_string(home.path().join("set/dut.sv")).unwrap();
+    let mut wrong = Vec::new();
+    let mutants = steppers(&devices);
+    assert!(mutants.len() > 30, "{}", mutants.len());
+    for (id, module, equivalent, text) in mutants {
+        let verdict = verdict(home.path(), &text, block(&module).unwrap());
+        let right = match verdict {
+            Verdict::Proved { .. } => equivalent,
+            Verdict::Refuted { .. } => !equivalent,
+            Verdict::Undecided { .. } => false,
+        };
+        if !right {
+            wrong.push(format!("{id}: {verdict:?}"));
+        }
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+}
+
+/// A sample of blind mutants; what is proved equal is simulated.
+pub(crate) fn sampled(_: &str) {
+    let seed = number("GUARDBIT_SEED", week(SystemTime::now()));
+    let (count, rows) = (number("GUARDBIT_PROOFS", 12), number("GUARDBIT_ROWS", 20_000));
+    let home = tempfile::tempdir().unwrap();
+    run_in(home.path(), &format!("vectors sgi-4k --count {rows} --out set")).ends(0);
+    let set = home.path().join("set");
+    let devices = Devices::read(&set);
+    let mut sample = Sample::new(&devices, seed);
+    let [mut proved, mut refuted, mut undecided] = [0; 3];
+    while proved + refuted + undecided < count {
+        let Some(mutant) = sample.draw() else { break };
+        let Some(block) = block(&mutant.module) else { continue };
+        let text = devices.with(&mutant);
+        std::fs::write(home.path().join("dut.sv"), &text).unwrap();
+        if !build(home.path(), &set).0 {
+            continue;
+        }
+        match verdict(home.path(), &text, block) {
+            Verdict::Proved { .. } => {
+                proved += 1;
+                for file in std::fs::read_dir(&set).unwrap().flatten() {
+                    let link = home.path().join(file.file_name());
+                    if link.extension().is_some_and(|ending| ending == "tv") && !link.exists() {
+                        std::fs::hard_link(file.path(), link).unwrap();
+                    }
+                }
+                let (good, said) = run(home.path(), "vvp", &["-n", "sim.vvp"]);
+                assert!(good, "proved and wrong: {:?}\n{said}", devices.lines(&mutant));
+            }
+            Verdict::Refuted { .. } => refuted += 1,
+            Verdict::Undecided { words } => {
+                undecided += 1;
+                eprintln!("undecided: {:?}: {words}", devices.lines(&mutant));
+            }
+        }
+    }
+    eprintln!("seed {seed}: {proved} proved, {refuted} refuted, {undecided} undecided");
+    assert!(refuted > 0);
+}
