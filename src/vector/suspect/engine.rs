@@ -205,9 +205,11 @@ impl Engine {
             if !at_end {
                 x = path.sum("x of the next sample", Operator::Add, [x, 1], PIXEL)
                     & ((1 << PIXEL) - 1);
-                edges.iter_mut().for_each(Plane::right);
+                for edge in edges.iter_mut() {
+                    edge.right(y);
+                }
                 if let Some(plane) = plane.as_deref_mut() {
-                    plane.right();
+                    plane.right(y);
                 }
                 continue;
             }
@@ -223,11 +225,13 @@ impl Engine {
             }
             let near = [("zero", 0), ("where the row above ended", x)];
             x = path.only("x at the beginning of a row", ("the left side", left), near);
-            y = next;
-            edges.iter_mut().for_each(Plane::down);
-            if let Some(plane) = plane.as_deref_mut() {
-                plane.down();
+            for edge in edges.iter_mut() {
+                edge.down(y);
             }
+            if let Some(plane) = plane.as_deref_mut() {
+                plane.down(y);
+            }
+            y = next;
         }
         None
     }

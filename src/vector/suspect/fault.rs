@@ -44,6 +44,8 @@ pub(super) enum Wrong {
     Instead(usize, usize),
     /// Each of four codes is taken for another.
     Map([usize; 4]),
+    /// What two codes are decoded to.
+    Decoded([usize; 2]),
     /// Two operands have changed places.
     Exchanged(usize, usize),
     /// Any one of several conditions is enough.
@@ -297,6 +299,20 @@ impl Path {
         match self.at(name, || Kind::Code(names)) {
             Some(Wrong::Map(map)) => map[code & 3],
             _ => code,
+        }
+    }
+
+    /// What the first or the second of two codes is decoded to.
+    pub(super) fn decoded(
+        &self,
+        name: &'static str,
+        code: usize,
+        right: [usize; 2],
+        (codes, names): ([&'static str; 2], [&'static str; 4]),
+    ) -> usize {
+        match self.at(name, || Kind::Decoded(codes, right, names)) {
+            Some(Wrong::Decoded(map)) => map[code],
+            _ => right[code],
         }
     }
 

@@ -11,6 +11,8 @@ pub(super) struct Plane<'p> {
     stepper: Stepper,
     parts: &'static Parts,
     words: [i128; 3],
+    /// Left side of the box.
+    x: i128,
     side: i128,
     pub(super) run: i128,
 }
@@ -24,6 +26,8 @@ pub(super) struct Parts {
     y: &'static str,
     across_by: &'static str,
     down_by: &'static str,
+    across_word: &'static str,
+    down_word: &'static str,
     across_sum: &'static str,
     down_sum: &'static str,
     row: &'static str,
@@ -42,6 +46,8 @@ pub(super) const EDGE: Parts = Parts {
     y: "y in edge dy times y",
     across_by: "what edge dx is multiplied by",
     down_by: "what edge dy is multiplied by",
+    across_word: "edge dx times the box's x, low bits",
+    down_word: "edge dy times the box's y, low bits",
     across_sum: "the edge word at the corner, across",
     down_sum: "the edge word at the corner, down",
     row: "the edge word of the next row",
@@ -60,6 +66,8 @@ pub(super) const DEPTH: Parts = Parts {
     y: "y in depth dy times y",
     across_by: "what depth dx is multiplied by",
     down_by: "what depth dy is multiplied by",
+    across_word: "depth dx times the box's x, low bits",
+    down_word: "depth dy times the box's y, low bits",
     across_sum: "the depth at the corner, across",
     down_sum: "the depth at the corner, down",
     row: "the depth of the next row",
@@ -87,21 +95,26 @@ impl<'p> Plane<'p> {
         words: [i128; 3],
         [x, y]: [i128; 2],
     ) -> Self {
-        let [init, dx, dy] = words;
+        let mut plane = Self { path, stepper, parts, words, x, side: 0, run: 0 };
+        let corner = plane.corner(y);
+        plane.side = plane.clock(plane.side, Op::Load, corner, true);
+        plane.run = plane.clock(plane.run, Op::Load, corner, false);
+        plane
+    }
+
+    /// The word at the left end of a row.
+    fn corner(&self, y: i128) -> i128 {
+        let Self { path, stepper, parts, words: [init, dx, dy], x, .. } = *self;
         let (x_name, y_name) = (("the box's x", x), ("the box's y", y));
         let near = [y_name, ("zero", 0), ("the box's x and one", x + 1)];
         let x = path.only(parts.across_by, x_name, near);
         let near = [x_name, ("zero", 0), ("the box's y and one", y + 1)];
         let y = path.only(parts.down_by, y_name, near);
         let (x, y) = (path.word(parts.x, x, PIXEL), path.word(parts.y, y, PIXEL));
-        let across = path.product(parts.across, dx, x);
-        let down = path.product(parts.down, dy, y);
+        let across = path.word(parts.across_word, path.product(parts.across, dx, x), stepper.width);
+        let down = path.word(parts.down_word, path.product(parts.down, dy, y), stepper.width);
         let corner = path.sum(parts.across_sum, Operator::Add, [init, across], stepper.width);
-        let corner = path.sum(parts.down_sum, Operator::Add, [corner, down], stepper.width);
-        let mut plane = Self { path, stepper, parts, words, side: 0, run: 0 };
-        plane.side = plane.clock(plane.side, Op::Load, corner, true);
-        plane.run = plane.clock(plane.run, Op::Load, corner, false);
-        plane
+        path.sum(parts.down_sum, Operator::Add, [corner, down], stepper.width)
     }
 
     fn clock(&self, word: i128, op: Op, init: i128, side: bool) -> i128 {
@@ -113,34 +126,44 @@ impl<'p> Plane<'p> {
         self.stepper.clock(self.path, word, op, [init, dx, dy])
     }
 
-    /// To the next row.
-    pub(super) fn down(&mut self) {
+    /// To the next row, from row `y`.
+    pub(super) fn down(&mut self, y: i128) {
         let path = self.path;
-        path.within(self.parts.module, || self.move_down());
+        path.within(self.parts.module, || self.moves(ROW, y));
     }
 
-    fn move_down(&mut self) {
-        let own = ("a step down at the end of a row", Op::StepY);
-        let near = [("a hold", Op::Hold), ("a step right", Op::StepX)];
-        let op = self.path.only(self.parts.side_moves, own, near);
-        let [_, _, dy] = self.words;
-        let near = [("the end of the row above", self.run)];
-        let from = self.path.only(self.parts.row_from, ("the left side", self.side), near);
-        let left = self.path.sum(self.parts.row, Operator::Add, [from, dy], self.stepper.width);
-        self.side = self.clock(self.side, op, 0, true);
-        self.run = self.clock(self.run, Op::Load, left, false);
-    }
-
-    /// To the next sample.
-    pub(super) fn right(&mut self) {
+    /// To the next sample of row `y`.
+    pub(super) fn right(&mut self, y: i128) {
         let path = self.path;
-        path.within(self.parts.module, || self.move_right());
+        path.within(self.parts.module, || self.moves(SAMPLE, y));
     }
 
-    fn move_right(&mut self) {
-        let own = ("a step right after a sample", Op::StepX);
-        let near = [("a hold", Op::Hold), ("a step down", Op::StepY)];
-        let op = self.path.only(self.parts.run_moves, own, near);
-        self.run = self.clock(self.run, op, 0, false);
+    /// A clock with a code of the engine: both registers take what they see before it.
+    fn moves(&mut self, code: usize, y: i128) {
+        let Self { path, parts, words: [.., dy], .. } = *self;
+        let codes = ["after a sample", "at the end of a row"];
+        let names = ["a load", "a step right", "a step down", "a hold"];
+        let operation = |name, right: [Op; 2]| {
+            let right = right.map(|op| op as usize);
+            Op::from_code(path.decoded(name, code, right, (codes, names)) as u64)
+        };
+        let side = operation(parts.side_moves, [Op::Hold, Op::StepY]);
+        let run = operation(parts.run_moves, [Op::StepX, Op::Load]);
+        let left = if run == Op::Load {
+            let near = [("the end of the row above", self.run)];
+            let from = path.only(parts.row_from, ("the left side", self.side), near);
+            path.sum(parts.row, Operator::Add, [from, dy], self.stepper.width)
+        } else {
+            0
+        };
+        let corner = if side == Op::Load { self.corner(y) } else { 0 };
+        if side != Op::Hold {
+            self.side = self.clock(self.side, side, corner, true);
+        }
+        self.run = self.clock(self.run, run, left, false);
     }
 }
+
+/// Codes of the engine.
+const SAMPLE: usize = 0;
+const ROW: usize = 1;

@@ -12,10 +12,11 @@ pub(in crate::vector::suspect) enum Operator {
     Xor,
     First,
     Second,
+    Multiply,
 }
 
 impl Operator {
-    pub(super) const SUMS: [Self; 8] = [
+    pub(super) const SUMS: [Self; 9] = [
         Self::Add,
         Self::Subtract,
         Self::Reversed,
@@ -24,6 +25,7 @@ impl Operator {
         Self::Xor,
         Self::First,
         Self::Second,
+        Self::Multiply,
     ];
     pub(super) const PRODUCTS: [Self; 4] = [Self::Add, Self::Subtract, Self::First, Self::Second];
 
@@ -37,6 +39,7 @@ impl Operator {
             Self::Xor => a ^ b,
             Self::First => a,
             Self::Second => b,
+            Self::Multiply => a.wrapping_mul(b),
         }
     }
 
@@ -50,6 +53,7 @@ impl Operator {
             Self::Xor => "is an exclusive or (no carries)",
             Self::First => "leaves out its second operand",
             Self::Second => "leaves out its first operand",
+            Self::Multiply => "multiplies",
         }
     }
 }

@@ -21,6 +21,8 @@ pub(super) enum Kind {
     Choice(Vec<&'static str>, usize),
     /// A code of four.
     Code([&'static str; 4]),
+    /// What two codes, by name, are decoded to: which of four.
+    Decoded([&'static str; 2], [usize; 2], [&'static str; 4]),
     /// So many conditions that must all hold.
     All(usize),
 }
@@ -107,19 +109,17 @@ impl Site {
                 list.extend((0..*count).map(unseen));
             }
             Kind::Code(names) => {
-                for map in 0..256usize {
-                    let map = [map & 3, map >> 2 & 3, map >> 4 & 3, map >> 6];
-                    let changed = (0..4).filter(|code| map[*code] != *code);
-                    let changes: Vec<String> = changed
-                        .map(|code| format!("{} acts as {}", names[code], names[map[code]]))
-                        .collect();
-                    if !changes.is_empty() {
-                        list.push(fault(
-                            Wrong::Map(map),
-                            format!("{name}: {}", changes.join(", ")),
-                        ));
-                    }
-                }
+                list.extend(
+                    maps(*names)
+                        .map(|(map, text)| fault(Wrong::Map(map), format!("{name}: {text}"))),
+                );
+            }
+            Kind::Decoded(codes, right, names) => {
+                let maps = (0..16).map(|map| [map & 3, map >> 2]).filter(|map| map != right);
+                list.extend(maps.map(|map| {
+                    let text = decoded(*codes, [map, *right], *names);
+                    fault(Wrong::Decoded(map), format!("{name}: {text}"))
+                }));
             }
             Kind::Choice(names, right) => {
                 for (belongs, own) in names.iter().enumerate().take(*right) {
@@ -136,4 +136,24 @@ impl Site {
         }
         list
     }
+}
+
+/// What two codes are decoded to, and what belongs there.
+fn decoded(codes: [&str; 2], [map, right]: [[usize; 2]; 2], names: [&str; 4]) -> String {
+    let changed = (0..2).filter(|code| map[*code] != right[*code]);
+    let changes = changed.map(|code| {
+        let [is, belongs] = [map[code], right[code]].map(|n| names[n]);
+        format!("{is} where {belongs} {} belongs", codes[code])
+    });
+    changes.collect::<Vec<_>>().join("; ")
+}
+
+/// Codes that act as others: each map but the right one, in words.
+fn maps(names: [&'static str; 4]) -> impl Iterator<Item = ([usize; 4], String)> {
+    let all = (0..256usize).map(|map| [map & 3, map >> 2 & 3, map >> 4 & 3, map >> 6]);
+    all.filter(|map| *map != [0, 1, 2, 3]).map(move |map| {
+        let changed = (0..4).filter(|code| map[*code] != *code);
+        let changes = changed.map(|code| format!("{} acts as {}", names[code], names[map[code]]));
+        (map, changes.collect::<Vec<_>>().join(", "))
+    })
 }
