@@ -252,7 +252,7 @@ fn number(name: &str, default: u64) -> u64 {
 
 pub(crate) fn sampled(_: &str) {
     let seed = number("GUARDBIT_SEED", sample::week(SystemTime::now()));
-    let (count, rows) = (number("GUARDBIT_MUTANTS", 10), number("GUARDBIT_ROWS", 20_000));
+    let (count, rows) = (number("GUARDBIT_MUTANTS", 6), number("GUARDBIT_ROWS", 20_000));
     let home = tempfile::tempdir().unwrap();
     run_in(home.path(), &format!("vectors --count {rows} --out first")).ends(0);
     let other = format!("vectors --count {rows} --seed {} --scene terrain --out second", seed + 1);

