@@ -72,6 +72,7 @@ fn main() {
         solver.trial("edge_words_fit_as_proved", formal::edges_fit),
         solver.trial("shipped_devices_are_proved_equal", equivalence::shipped_devices),
         solver.trial("a_foreign_device_is_proved_equal", equivalence::foreign_device),
+        solver.trial("only_the_solvers_words_prove", equivalence::only_the_solvers_words_prove),
         solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
         solver.soak_trial("defects_of_steppers_are_refuted", blind::proof::defects),
         settler().soak_trial("no_proof_of_a_blind_mutant_is_wrong", blind::proof::sampled),

@@ -17,8 +17,8 @@ use vcd::{Command, IdCode, Value};
 /// The options of an equivalence proof.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Options {
-    /// Prove that a module of your own is a unit of the profile, for all inputs: its SystemVerilog files. The
-    /// tools yosys and z3 do it.
+    /// Prove that a module of your own is a unit of the profile, for all inputs: its files in SystemVerilog or
+    /// VHDL. The tools yosys and z3 do it, and ghdl for VHDL.
     #[arg(long, value_name = "FILE", num_args = 1.., requires = "block",
           conflicts_with_all = ["claim", "table", "window", "guard_band", "sub_pixel", "depth_bits", "smt", "gappa", "check", "json"])]
     pub(crate) rtl: Vec<PathBuf>,
@@ -53,9 +53,10 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
     let profile = profile::load(profile)?;
     let limit = Duration::from_secs(limit);
     for file in &arguments.rtl {
-        let text = std::fs::read_to_string(file)
+        // A comment can be in any encoding.
+        let text = std::fs::read(file)
             .map_err(|error| Failure::io(&file.display().to_string(), &error))?;
-        if text.trim().is_empty() {
+        if text.trim_ascii().is_empty() {
             return Err(Failure::input(format!("{} is empty", file.display())));
         }
     }
@@ -63,7 +64,7 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
     if arguments.map_template {
         let folder =
             tempfile::tempdir().map_err(|error| Failure::io("a temporary folder", &error))?;
-        let (module, ports) = ports(&arguments.rtl, None, &[], folder.path(), limit)?;
+        let (module, ports) = ports(&arguments.rtl, folder.path(), limit)?;
         output.text(Map::template(block, &module, &ports))?;
         output.flush()?;
         return Ok(Outcome::Good);

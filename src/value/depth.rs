@@ -98,6 +98,14 @@ impl DepthConfig {
         }
         Ok(read)
     }
+
+    /// What the start gains, in accumulator units.
+    pub const fn start_gain(&self) -> i128 {
+        match (self.start_bias, self.interpolation) {
+            (StartBias::Half, 1..) => 1 << (self.interpolation - 1),
+            _ => 0,
+        }
+    }
 }
 
 /// A depth evaluator, prepared for a lane.
@@ -161,10 +169,7 @@ impl Depth {
 
     /// What the start gains, in accumulator units.
     pub fn start_bias(&self) -> i128 {
-        match (self.config.start_bias, self.config.interpolation) {
-            (StartBias::Half, 1..) => 1 << (self.config.interpolation - 1),
-            _ => 0,
-        }
+        self.config.start_gain()
     }
 
     /// The code that is stored for a held accumulator.

@@ -10,8 +10,7 @@ mod work;
 pub use map::{Map, MapError, Reset};
 pub use netlist::Port;
 
-use super::reference::{Language, ReferenceError, reference};
-use super::write::devices;
+use super::reference::{Language, ReferenceError, devices, package, reference};
 use crate::profile::Profile;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -173,30 +172,18 @@ fn io(path: &Path) -> impl FnOnce(std::io::Error) -> EquivalenceError {
     |source| EquivalenceError::Io { path, source }
 }
 
-/// The ports of a module, as yosys reads them; without a name, of the one that no other has in it.
+/// The module that no other has in it, and its ports, as yosys reads them.
 ///
 /// # Errors
 /// [`EquivalenceError`] if yosys is missing or does not read the files.
 pub fn ports(
     rtl: &[PathBuf],
-    module: Option<&str>,
-    parameters: &[(String, i64)],
     folder: &Path,
     limit: Duration,
 ) -> Result<(String, Vec<Port>), EquivalenceError> {
     let work = Work { folder, limit };
-    let top = module.map_or_else(|| "-auto-top".to_owned(), |name| format!("-top {name}"));
-    let (read, parameters) = work.sources(rtl, module, parameters)?;
-    let mut set = String::new();
-    for (name, value) in parameters {
-        set.extend([" -chparam ", name, " ", &value.to_string()]);
-    }
-    let script = format!("{read}\nhierarchy -check {top}{set}\nproc\nwrite_json ports.json\n");
-    work.yosys("ports", &script)?;
-    netlist::top(&work.read("ports.json")?).map_err(|what| EquivalenceError::Design {
-        module: module.unwrap_or("the files").to_owned(),
-        what,
-    })
+    let (read, _) = work.sources(rtl, None, &[])?;
+    work.ports(&read, None, &[])
 }
 
 /// Asks the tools.
@@ -208,39 +195,24 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     let begun = Instant::now();
     let Question { profile, block, rtl, folder, limit, .. } = *question;
     let text = reference(profile, Language::Sv)?;
-    let registers = devices(profile)
-        .map(|devices| devices.registers())
-        .map_err(|reason| ReferenceError::Profile { profile: profile.name.clone(), reason })?;
+    let registers @ [read, edge] = devices(profile)?.registers();
     let signals = block.signals(match block {
-        Block::Dda => [registers[0].width(), registers[0].integer()],
-        Block::EdgeStepper => [registers[1].width(), 1],
+        Block::Dda => [read.width(), read.integer()],
+        Block::EdgeStepper => [edge.width(), 1],
     });
-    let own = Map::of_devices(block, &signals);
+    let own = Map::of_devices(block, &signals, registers);
     let map = question.map.unwrap_or(&own);
     map.is_spelt()?;
     std::fs::create_dir(folder).map_err(io(folder))?;
     let work = Work { folder, limit };
-    let parameters: Vec<(String, i64)> = match question.map {
-        Some(map) => map.parameters.clone().into_iter().collect(),
-        None => Map::parameters_of_devices(block, registers),
-    };
-    let (_, ports) = ports(rtl, Some(&map.module), &parameters, folder, limit)?;
-    let code_bits = map.fits(&signals, &ports)?;
-    let name =
-        format!("{}_reference_{}", super::package::identifier(&profile.name), block.module());
-    work.write("reference.sv", &text)?;
+    let parameters: Vec<(String, i64)> = map.parameters.clone().into_iter().collect();
     let (device, parameters) = work.sources(rtl, Some(&map.module), &parameters)?;
+    let (_, ports) = work.ports(&device, Some(&map.module), parameters)?;
+    let code_bits = map.fits(&signals, &ports)?;
+    let name = format!("{}_{}", package(profile), block.module());
+    work.write("reference.sv", &text)?;
     work.write("miter.sv", &miter::text(&name, (map, code_bits), parameters, &signals))?;
-    let read = format!(
-        "{device}\nchformal -remove\nread_verilog -sv reference.sv\n\
-         read_verilog -sv -formal miter.sv\nhierarchy -check -top guardbit_miter\nproc\nflatten\n\
-         setundef -undriven -anyseq\nmemory\nopt_clean\n"
-    );
-    // What is checked is what stands there before a latch can be made a register.
-    let write = "write_json netlist.json\nasync2sync\nopt_clean\nwrite_rtlil netlist.il\n";
-    work.yosys("netlist", &format!("{read}{write}"))?;
-    netlist::check(&work.read("netlist.json")?)
-        .map_err(|what| EquivalenceError::Design { module: map.module.clone(), what })?;
+    work.netlist(&device, &map.module)?;
     let answer = |verdict| Answer {
         verdict,
         assumed: map.assumed(),
@@ -248,65 +220,39 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         seconds: begun.elapsed().as_secs_f64(),
     };
     // A proof in which nothing is ever compared would be none.
-    work.aiger("compared", "bad")?;
-    let reach =
-        work.run("yosys-abc", &["-c", "read_aiger compared.aig; strash; pdr"], "compared.log")?;
-    let reached = reach.is_some_and(|ran| ran.says("was asserted in frame"));
-    if !reached {
+    let reached = work.pdr("compared", "bad")?;
+    if !reached.is_some_and(|ran| ran.says("was asserted in frame")) {
         let words =
             "no input leads to a clock at which answers are compared, or none was found".to_owned();
         return Ok(answer(Verdict::Undecided { words }));
     }
-    work.aiger("bad", "compared")?;
-    let pdr = work.run("yosys-abc", &["-c", "read_aiger bad.aig; strash; pdr"], "pdr.log")?;
-    let mut words = Vec::new();
-    Ok(answer(match pdr {
+    Ok(answer(match work.pdr("bad", "compared")? {
         Some(ran) if ran.good && ran.says("Property proved.") => {
-            Verdict::Proved { engine: "yosys-abc pdr", words: ran.last() }
+            Verdict::Proved { engine: "yosys-abc scorr and pdr", words: ran.last() }
         }
         other => {
-            words.push(other.map_or_else(
+            let said = other.map_or_else(
                 || format!("yosys-abc pdr ran longer than {} s", limit.as_secs()),
                 |ran| format!("yosys-abc pdr: {}", ran.last()),
-            ));
-            search(&work, map.latency, words)?
+            );
+            search(&work, map.latency, &said)?
         }
     }))
 }
 
-/// Looks for inputs that make a difference, from reset on.
-fn search(
-    work: &Work<'_>,
-    latency: u32,
-    mut words: Vec<String>,
-) -> Result<Verdict, EquivalenceError> {
+/// Looks for inputs that make a difference, from reset on, after what another tool said.
+fn search(work: &Work<'_>, latency: u32, said: &str) -> Result<Verdict, EquivalenceError> {
+    const WAVE: &str = "counterexample.vcd";
+    let undecided = |words: String| Ok(Verdict::Undecided { words: format!("{said}; {words}") });
     work.yosys("smt2", "read_rtlil netlist.il\nwrite_smt2 -wires miter.smt2\n")?;
     if !work.read("miter.smt2")?.contains("yosys-smt2-assert") {
-        words.push("yosys wrote no assertion, so no search was made".to_owned());
-        return Ok(Verdict::Undecided { words: words.join("; ") });
+        return undecided("yosys wrote no assertion, so no search was made".to_owned());
     }
     let depth = (latency + 12).to_string();
-    let arguments = [
-        "-s",
-        "z3",
-        "-t",
-        &depth,
-        "--noprogress",
-        "--dump-vcd",
-        "counterexample.vcd",
-        "miter.smt2",
-    ];
-    let ran = work.run("yosys-smtbmc", &arguments, "smtbmc.log")?;
-    Ok(match ran {
-        Some(ran) if ran.says("Status: FAILED") || ran.says("Status: failed") => {
-            Verdict::Refuted { wave: "counterexample.vcd" }
-        }
-        other => {
-            words.push(other.map_or_else(
-                || format!("yosys-smtbmc ran longer than {} s", work.limit.as_secs()),
-                |ran| format!("yosys-smtbmc, {depth} clocks: {}", ran.last()),
-            ));
-            Verdict::Undecided { words: words.join("; ") }
-        }
-    })
+    let arguments = ["-s", "z3", "-t", &depth, "--noprogress", "--dump-vcd", WAVE, "miter.smt2"];
+    match work.run("yosys-smtbmc", &arguments, "smtbmc.log")? {
+        Some(ran) if ran.says("Status: FAILED") => Ok(Verdict::Refuted { wave: WAVE }),
+        Some(ran) => undecided(format!("yosys-smtbmc, {depth} clocks: {}", ran.last())),
+        None => undecided(format!("yosys-smtbmc ran longer than {} s", work.limit.as_secs())),
+    }
 }

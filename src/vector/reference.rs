@@ -5,13 +5,12 @@ mod stimulus;
 
 use super::manifest::sha256;
 use super::package::{comment, fill, identifier};
-use super::write::{Devices, devices};
+use super::write::{self, Devices};
 use crate::bits::Rounding;
 use crate::cover::EdgeWordConfig;
-use crate::format::Clamp;
+use crate::format::{Clamp, ReadOut};
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
-use crate::value::DepthConfig;
 
 /// The language of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,27 +28,12 @@ pub enum Language {
 
 /// Why a profile has no reference.
 #[derive(Clone, Debug, thiserror::Error, PartialEq, Eq)]
-pub enum ReferenceError {
-    /// A part of the profile.
-    #[error("{profile}: no reference can be written of it: {reason}")]
-    Profile {
-        /// The profile's name.
-        profile: String,
-        /// What stands in the way.
-        reason: String,
-    },
-    /// A word.
-    #[error(
-        "{profile}: {what} has {width} bits > 127, the integers of C and C++; take python or sv"
-    )]
-    Wide {
-        /// The profile's name.
-        profile: String,
-        /// Which word.
-        what: &'static str,
-        /// Its bits.
-        width: u32,
-    },
+#[error("{profile}: no reference can be written of it: {reason}")]
+pub struct ReferenceError {
+    /// The profile's name.
+    pub profile: String,
+    /// What stands in the way.
+    pub reason: String,
 }
 
 /// Random cases of the self test.
@@ -58,7 +42,7 @@ const CASES: u64 = 1000;
 /// What the texts are filled in with.
 struct Parts<'a> {
     profile: &'a Profile,
-    depth: DepthConfig,
+    read: ReadOut,
     edge: EdgeWordConfig,
     digests: [u64; 4],
     values: Vec<(&'static str, String)>,
@@ -68,7 +52,7 @@ struct Parts<'a> {
 ///
 /// # Errors
 /// [`ReferenceError`] where the profile is none of edge functions and a depth plane over a box, one sample a
-/// pixel, or its words are wider than the language's.
+/// pixel.
 ///
 /// ```
 /// use guardbit::vector::reference::{Language, reference};
@@ -79,7 +63,7 @@ struct Parts<'a> {
 pub fn reference(profile: &Profile, language: Language) -> Result<String, ReferenceError> {
     let parts = Parts::of(profile)?;
     Ok(match language {
-        Language::C | Language::Cpp => parts.c(language == Language::Cpp)?,
+        Language::C | Language::Cpp => parts.c(language == Language::Cpp),
         Language::Python => parts.python(),
         Language::Sv => parts.systemverilog(),
     })
@@ -91,25 +75,26 @@ pub fn reference(profile: &Profile, language: Language) -> Result<String, Refere
 /// # Errors
 /// [`ReferenceError`] as [`reference()`] has them.
 pub fn digests(profile: &Profile, seed: u64, cases: u64) -> Result<[u64; 4], ReferenceError> {
-    let devices = devices(profile).map_err(|reason| refused(profile, reason))?;
-    Ok(stimulus::digests(profile, devices.registers(), seed, cases))
+    Ok(stimulus::digests(profile, devices(profile)?.registers(), seed, cases))
 }
 
-fn refused(profile: &Profile, reason: String) -> ReferenceError {
-    ReferenceError::Profile { profile: profile.name.clone(), reason }
+/// What draws a profile, or why it has no reference.
+pub(super) fn devices(profile: &Profile) -> Result<Devices, ReferenceError> {
+    write::devices(profile)
+        .map_err(|reason| ReferenceError { profile: profile.name.clone(), reason })
+}
+
+/// The SystemVerilog package of a profile; its modules begin with this name.
+pub(super) fn package(profile: &Profile) -> String {
+    format!("{}_reference", identifier(&profile.name))
 }
 
 impl<'a> Parts<'a> {
     fn of(profile: &'a Profile) -> Result<Self, ReferenceError> {
-        let devices = devices(profile).map_err(|reason| refused(profile, reason))?;
+        let devices = devices(profile)?;
         let registers = devices.registers();
         let Devices { edge, depth, setup } = devices;
         let digests = stimulus::digests(profile, registers, 1, CASES);
-        let half = if setup.half && depth.interpolation > 0 {
-            1u64 << (depth.interpolation - 1)
-        } else {
-            0
-        };
         let side = if setup.shadow { "ey > 0" } else { "ey < 0" };
         let (low, high) = profile.vertex.range();
         let mut values = vec![
@@ -130,16 +115,16 @@ impl<'a> Parts<'a> {
         number("SAMPLE_Y", setup.sample[1]);
         number("LOW", low);
         number("HIGH", high);
-        number("D", (coordinate_bits(profile) + 2).into());
+        number("D", profile.vertex.difference_bits().into());
         number("M", edge.width.into());
         number("SHIFT", setup.shift.into());
         number("G", depth.guard.into());
         number("I", depth.integer.into());
         number("F", depth.interpolation.into());
         number("N", registers[0].width().into());
-        number("HALF", half.into());
+        number("HALF", depth.start_gain());
         number("CASES", CASES.into());
-        Ok(Self { profile, depth, edge, digests, values })
+        Ok(Self { profile, read: registers[0], edge, digests, values })
     }
 
     fn fill(&self, template: &str, own: &[(&str, &str)]) -> String {
@@ -149,28 +134,15 @@ impl<'a> Parts<'a> {
         fill(template, &values)
     }
 
-    fn c(&self, plus: bool) -> Result<String, ReferenceError> {
-        let wide =
-            |what, width| ReferenceError::Wide { profile: self.profile.name.clone(), what, width };
-        let (coordinate, s) = (coordinate_bits(self.profile), self.profile.vertex.sub_pixel);
-        let DepthConfig { guard, integer, interpolation: fraction, .. } = self.depth;
-        for (what, width) in [
-            ("an accumulator", guard + integer + fraction),
-            ("an edge value", 2 * coordinate + 4),
-            ("the numerator of the start", integer + 2 * coordinate + 5 + fraction),
-            ("the numerator of a slope", integer + coordinate + 2 + fraction + s),
-        ] {
-            if width > 127 {
-                return Err(wide(what, width));
-            }
-        }
+    /// Every word and product of a valid profile fits 128 bits (clause `P-5`).
+    fn c(&self, plus: bool) -> String {
         let id = identifier(&self.profile.name);
         let upper = format!("{}_", id.to_uppercase());
         let prefix = if plus { String::new() } else { format!("{id}_") };
         let scope = if plus { format!("{id}::") } else { prefix.clone() };
         let word = |width| if width > 64 { format!("{prefix}bits") } else { "uint64_t".to_owned() };
         let digests = self.digests.map(|digest| format!("0x{digest:016x}u"));
-        let read = match self.depth.clamp {
+        let read = match self.read.clamp() {
             Clamp::Guard | Clamp::Error => {
                 "    const @P@bits middle = ((@P@bits)1 << (@K@GUARD + @K@INTEGER - 1)) + (whole >> 1);\n    \
                  if (u >= whole) return u >= middle ? 0 : (uint64_t)(whole - 1);"
@@ -181,7 +153,7 @@ impl<'a> Parts<'a> {
             }
             Clamp::Wrap | Clamp::Saturate => "",
         };
-        Ok(self.fill(
+        self.fill(
             include_str!("reference/c.in"),
             &[
                 ("OPEN", &if plus { format!("namespace {id} {{") } else { String::new() }),
@@ -189,17 +161,17 @@ impl<'a> Parts<'a> {
                 ("FN", if plus { "constexpr" } else { "static inline" }),
                 ("READ_OUT", read),
                 ("EDGE", &word(self.edge.width)),
-                ("WORD", &word(guard + integer + fraction)),
+                ("WORD", &word(self.read.width())),
                 ("EXPECTED", &digests.join(", ")),
                 ("P", &prefix),
                 ("K", &upper),
                 ("Q", &scope),
             ],
-        ))
+        )
     }
 
     fn python(&self) -> String {
-        let read = match self.depth.clamp {
+        let read = match self.read.clamp() {
             Clamp::Guard | Clamp::Error => {
                 "    if u >= whole:\n        \
                  return 0 if u >= (1 << GUARD + INTEGER >> 1) + (whole >> 1) else whole - 1"
@@ -228,7 +200,7 @@ impl<'a> Parts<'a> {
     }
 
     fn systemverilog(&self) -> String {
-        let read = match self.depth.clamp {
+        let read = match self.read.clamp() {
             Clamp::Guard | Clamp::Error => {
                 "            \
                  if (u >= WHOLE) read_out = u >= (WHOLE << G >> 1) + (WHOLE >> 1) ? {I{1'b0}} : {I{1'b1}};"
@@ -240,7 +212,7 @@ impl<'a> Parts<'a> {
             Clamp::Wrap | Clamp::Saturate => "",
         };
         let [e0, e1, e2, e3] = self.digests.map(|digest| format!("{digest:016x}"));
-        let package = format!("{}_reference", identifier(&self.profile.name));
+        let package = package(self.profile);
         self.fill(
             include_str!("reference/sv.in"),
             &[
@@ -253,12 +225,6 @@ impl<'a> Parts<'a> {
             ],
         )
     }
-}
-
-/// Bits of the largest magnitude of a coordinate.
-fn coordinate_bits(profile: &Profile) -> u32 {
-    let (low, high) = profile.vertex.range();
-    128 - low.unsigned_abs().max(high.unsigned_abs()).leading_zeros()
 }
 
 /// When the magnitude of a quotient is raised, in C and SystemVerilog. Clause `R-1`.

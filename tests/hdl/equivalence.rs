@@ -18,9 +18,9 @@ fn ask(home: &Path, question: &str) -> Ran {
 #[track_caller]
 fn proves(home: &Path, question: &str) {
     let ran = ask(home, question).ends(0);
-    assert!(ran.out.starts_with("PROVED by yosys-abc pdr in "), "{}", ran.out);
+    assert!(ran.out.starts_with("PROVED by yosys-abc scorr and pdr in "), "{}", ran.out);
     // The tool's own words are kept.
-    let log = std::fs::read_to_string(home.join("guardbit-proof/pdr.log")).unwrap();
+    let log = std::fs::read_to_string(home.join("guardbit-proof/bad.log")).unwrap();
     assert!(log.contains("Property proved."), "{log}");
 }
 
@@ -137,6 +137,14 @@ pub(crate) fn foreign_device(_: &str) {
     );
     write("free.toml", &MAP.replace("[reset]\nport = \"rst_n\"\nactive-low = true\n", ""));
     proves(home, "sgi-4k --rtl free.sv --block dda --map free.toml");
+    // A reset that does not wait for the clock.
+    write("walker.sv", &FOREIGN.replace("(posedge clock)", "(posedge clock or negedge rst_n)"));
+    proves(home, ask_map);
+    // A comment in another encoding.
+    let mut latin = FOREIGN.as_bytes().to_vec();
+    latin.splice(0..0, *b"// z\xe4hler\n");
+    std::fs::write(home.join("walker.sv"), latin).unwrap();
+    proves(home, ask_map);
     // One thing wrong: in the module, or in the map.
     for (old, new) in [
         ("3'd2, 3'd3, 3'd4:", "3'd2, 3'd3:"),
@@ -189,6 +197,7 @@ pub(crate) fn bad_input(_: &str) {
     map("dx = \"zx\"\n", "", &["[ports] has no dx"]);
     map("dx = \"zx\"", "dx = \"zy\"", &["zx", "nothing drives"]);
     map("\ntest_mode = 0", "", &["nothing drives the input test_mode", "[constants]"]);
+    map("test_mode = 0", "test_mode = 2", &["[constants] test_mode = 2 >= 2^1"]);
     map("hold = 0", "hold = 4", &["[op] hold = 4 is the code of another operation"]);
     map("hold = 0", "hold = 9", &["[op] hold = 9 >= 2^3"]);
     map("latency = 1", "latency = 64", &["latency = 64: 0 to 63"]);
@@ -207,6 +216,9 @@ pub(crate) fn bad_input(_: &str) {
     broken(&FOREIGN.replace("    wire [38:0] addend = ", latch), &["latch", "registers alone"]);
     let gated = "    wire slow = clock && cmd[0];\n    always @(posedge slow)";
     broken(&FOREIGN.replace("    always @(posedge clock)", gated), &["rising edge"]);
+    // yosys itself refuses its gates.
+    let gate = "    \\$_DFF_N_ odd (.C(clock), .D(cmd[0]), .Q());\n    always @(posedge clock)";
+    broken(&FOREIGN.replace("    always @(posedge clock)", gate), &["yosys stopped", "$_DFF_N_"]);
     write("walker.sv", FOREIGN);
     let plain = "sgi-4k --rtl walker.sv --block dda --map map.toml";
     let _ = ask(home, "sgi-4k --rtl nowhere.sv --block dda")
@@ -233,14 +245,48 @@ pub(crate) fn bad_input(_: &str) {
             .replace("3'd2, 3'd3, 3'd4: z <= 24'hffffff;", "3'd2, 3'd3, 3'd4: z <= 24'hxfffff;"),
     );
     refutes(home, plain);
+}
+
+/// A solver of another mind: whatever it says of the proof, the first question is answered as it should.
+fn with_solver(home: &Path, says: &str, status: i32) -> Ran {
+    let bin = home.join("bin");
+    std::fs::create_dir_all(&bin).unwrap();
+    let script = format!(
+        "#!/bin/sh\ncase \"$2\" in *compared.aig*) echo 'Output 0 was asserted in frame 2.';;\n\
+         *bad.aig*) {says}; exit {status};;\n*) PATH=${{PATH#*:}} exec yosys-abc \"$@\";; esac\n"
+    );
+    std::fs::write(bin.join("yosys-abc"), script).unwrap();
+    let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    std::fs::set_permissions(bin.join("yosys-abc"), mode).unwrap();
+    let proof = home.join("guardbit-proof");
+    if proof.exists() {
+        std::fs::remove_dir_all(&proof).unwrap();
+    }
+    let path = format!("{}:{}", bin.display(), std::env::var("PATH").unwrap());
+    let mut command = crate::run::guardbit();
+    let question = format!("prove sgi-4k --rtl {HDL}/dda.sv --block dda --limit 10");
+    command.current_dir(home).env("PATH", path).args(question.split(' '));
+    command.output().unwrap().into()
+}
+
+pub(crate) fn only_the_solvers_words_prove(_: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let home = home.path();
+    assert!(with_solver(home, "echo 'Property proved.'", 0).ends(0).out.starts_with("PROVED"));
+    for (says, status, told) in [
+        ("echo 'Property proved.'", 1, "Property proved."),
+        ("echo 'Property PROVED'", 0, "Property PROVED"),
+        ("true", 0, "it said nothing"),
+        ("kill -9 $$", 0, "it said nothing"),
+        ("exec sleep 60", 0, "yosys-abc pdr ran longer than 10 s"),
+    ] {
+        let ran = with_solver(home, says, status).ends(1);
+        assert!(ran.out.starts_with("UNDECIDED after ") && ran.out.contains(told), "{}", ran.out);
+    }
     // No tools, no answer.
     let mut command = crate::run::guardbit();
-    command
-        .current_dir(home)
-        .env("PATH", home)
-        .arg("prove")
-        .args(plain.split(' '))
-        .arg("--out=other");
+    let question = format!("prove sgi-4k --rtl {HDL}/dda.sv --block dda --out other");
+    command.current_dir(home).env("PATH", home).args(question.split(' '));
     let ran: Ran = command.output().unwrap().into();
     let _ = ran.complains(2, &["yosys is not on the search path", "apt-get install yosys"]);
 }

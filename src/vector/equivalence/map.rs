@@ -72,26 +72,13 @@ impl Map {
         })
     }
 
-    /// The map of a device of `hdl`.
-    pub(super) fn of_devices(block: Block, signals: &[Signal; 6]) -> Self {
-        Self {
-            module: block.module().to_owned(),
-            clock: clk(),
-            reset: Some(Reset { port: "rst".to_owned(), active_low: false }),
-            latency: 0,
-            ports: signals.iter().map(|s| (s.name.to_owned(), s.port.to_owned())).collect(),
-            op: BTreeMap::new(),
-            constants: BTreeMap::new(),
-            parameters: BTreeMap::new(),
-        }
-    }
-
-    /// The parameters of a device of `hdl`.
-    pub(super) fn parameters_of_devices(
+    /// The map of a device of `hdl`, with a profile's parameters.
+    pub(super) fn of_devices(
         block: Block,
+        signals: &[Signal; 6],
         [read, edge]: [ReadOut; 2],
-    ) -> Vec<(String, i64)> {
-        let list = match block {
+    ) -> Self {
+        let parameters = match block {
             Block::Dda => vec![
                 ("G", read.guard()),
                 ("I", read.integer()),
@@ -100,7 +87,18 @@ impl Map {
             ],
             Block::EdgeStepper => vec![("M", edge.width())],
         };
-        list.into_iter().map(|(name, value)| (name.to_owned(), value.into())).collect()
+        let parameters =
+            parameters.into_iter().map(|(name, value)| (name.to_owned(), value.into()));
+        Self {
+            module: block.module().to_owned(),
+            clock: clk(),
+            reset: Some(Reset { port: "rst".to_owned(), active_low: false }),
+            latency: 0,
+            ports: signals.iter().map(|s| (s.name.to_owned(), s.port.to_owned())).collect(),
+            op: BTreeMap::new(),
+            constants: BTreeMap::new(),
+            parameters: parameters.collect(),
+        }
     }
 
     /// The codes of load, step right, step down, hold.
@@ -240,9 +238,13 @@ impl Map {
                 port.name
             )));
         }
-        for name in self.constants.keys() {
-            if !ports.iter().any(|port| port.name == *name && !port.output) {
+        for (name, value) in &self.constants {
+            let Some(port) = ports.iter().find(|port| port.name == *name && !port.output) else {
                 return Err(self.wrong(format!("[constants] {name}: the module has no such input")));
+            };
+            if port.width < 64 && value >> port.width != 0 {
+                let width = port.width;
+                return Err(self.wrong(format!("[constants] {name} = {value} >= 2^{width}")));
             }
         }
         taken.sort_unstable();
@@ -255,17 +257,17 @@ impl Map {
     /// What a proof under this map takes for granted.
     pub(super) fn assumed(&self) -> Vec<String> {
         let mut list =
-            vec!["all state changes at the rising edge of one clock, at a reset too".to_owned()];
+            vec!["all state changes at the rising edge of one clock, or at a reset".to_owned()];
         if self.reset.is_some() {
             list.push("the first clock is a reset; resets may come at any later clock".to_owned());
+            list.push("nothing is compared at a clock with a reset".to_owned());
         } else {
             list.push("nothing is compared before the first load".to_owned());
         }
         if self.latency > 0 {
-            list.push(format!(
-                "nothing is compared for {} clocks after a reset or a first load",
-                self.latency
-            ));
+            let after = if self.reset.is_some() { "a reset" } else { "the first load" };
+            let clocks = if self.latency == 1 { "clock" } else { "clocks" };
+            list.push(format!("nothing is compared for {} {clocks} after {after}", self.latency));
         }
         list.extend(
             self.constants.iter().map(|(port, value)| format!("{port} is {value} at every clock")),

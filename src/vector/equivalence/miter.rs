@@ -53,7 +53,7 @@ pub(super) fn text(
         pins.push(format!(".{}({level})", reset.port));
     }
     for (port, value) in &map.constants {
-        pins.push(format!(".{port}({value})"));
+        pins.push(format!(".{port}(64'd{value})"));
     }
     for signal in inputs {
         let Some(port) = map.ports.get(signal.name) else { continue };
@@ -107,7 +107,7 @@ pub(super) fn text(
         "{known}    // Clocks since then, and since the last reset: what is under way is not compared.\n    \
          reg [6:0] age = 7'd0;\n    \
          always @(posedge clk) age <= reset || !known ? 7'd0 : age == 7'd{0} ? age : age + 7'd1;\n    \
-         assign compared = known && age == 7'd{0};\n    assign bad = compared && ({1});\n    always @* assert (!bad);\nendmodule\n",
+         assign compared = known && !reset && age == 7'd{0};\n    assign bad = compared && ({1});\n    always @* assert (!bad);\nendmodule\n",
         map.latency,
         differ.join(" || ")
     );

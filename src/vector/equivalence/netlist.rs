@@ -88,14 +88,12 @@ pub(super) fn check(text: &str) -> Result<(), String> {
         if kind == "$ff" {
             return Err(format!("it has a register without a clock ({name})"));
         }
-        let Some(driver) = cell.connections.get("CLK").or_else(|| cell.connections.get("C")) else {
-            continue;
-        };
+        let Some(driver) = cell.connections.get("CLK") else { continue };
         let rising = cell
             .parameters
             .get("CLK_POLARITY")
             .and_then(|value| value.as_str())
-            .is_none_or(|value| value.ends_with('1'));
+            .is_some_and(|value| value.ends_with('1'));
         if *driver != clock || !rising {
             return Err(format!(
                 "a register ({name}) is not clocked by the rising edge of the map's clock: gated, divided or \

@@ -1,7 +1,7 @@
 //! The folder of a question, and the tools that run in it.
 
 use super::tool::{self, Ran};
-use super::{EquivalenceError, io};
+use super::{EquivalenceError, Port, io, netlist};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -114,8 +114,42 @@ impl Work<'_> {
         Ok((format!("{read} device.v"), &[]))
     }
 
-    /// The netlist as gates, with one of its two outputs.
-    pub(super) fn aiger(&self, output: &str, other: &str) -> Result<(), EquivalenceError> {
+    /// A module's ports; without a name, of the one that no other has in it.
+    pub(super) fn ports(
+        &self,
+        read: &str,
+        module: Option<&str>,
+        parameters: &Parameters,
+    ) -> Result<(String, Vec<Port>), EquivalenceError> {
+        let top = module.map_or_else(|| "-auto-top".to_owned(), |name| format!("-top {name}"));
+        let mut set = String::new();
+        for (name, value) in parameters {
+            set.extend([" -chparam ", name, " ", &value.to_string()]);
+        }
+        let script = format!("{read}\nhierarchy -check {top}{set}\nproc\nwrite_json ports.json\n");
+        self.yosys("ports", &script)?;
+        netlist::top(&self.read("ports.json")?).map_err(|what| EquivalenceError::Design {
+            module: module.unwrap_or("the files").to_owned(),
+            what,
+        })
+    }
+
+    /// The miter as a flat netlist of registers and operators, checked.
+    pub(super) fn netlist(&self, device: &str, module: &str) -> Result<(), EquivalenceError> {
+        // What is checked is what stands there before a latch can be made a register.
+        let script = format!(
+            "{device}\nchformal -remove\nread_verilog -sv reference.sv\n\
+             read_verilog -sv -formal miter.sv\nhierarchy -check -top guardbit_miter\nproc\nflatten\n\
+             setundef -undriven -anyseq\nmemory\nopt_clean\nwrite_json netlist.json\n\
+             async2sync\nopt_clean\nwrite_rtlil netlist.il\n"
+        );
+        self.yosys("netlist", &script)?;
+        netlist::check(&self.read("netlist.json")?)
+            .map_err(|what| EquivalenceError::Design { module: module.to_owned(), what })
+    }
+
+    /// Asks whether one of the netlist's two outputs can ever be high.
+    pub(super) fn pdr(&self, output: &str, other: &str) -> Result<Option<Ran>, EquivalenceError> {
         self.yosys(
             &format!("aiger-{output}"),
             &format!(
@@ -123,7 +157,10 @@ impl Work<'_> {
                  formalff -clk2ff -ff2anyinit\ntechmap\nopt_clean\nabc -g AND -fast\nopt_clean\n\
                  write_aiger -zinit {output}.aig\n"
             ),
-        )
+        )?;
+        // What both sides have in common is found first; pdr alone takes minutes for some adders.
+        let command = format!("read_aiger {output}.aig; strash; scorr; pdr");
+        self.run("yosys-abc", &["-c", &command], &format!("{output}.log"))
     }
 }
 

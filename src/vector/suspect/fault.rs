@@ -87,7 +87,10 @@ impl Fault {
 
     /// Whether another operand, or another operation, is taken.
     pub(super) fn chooses(&self) -> bool {
-        matches!(self.wrong, Wrong::Instead(..) | Wrong::Exchanged(..) | Wrong::Map(_))
+        matches!(
+            self.wrong,
+            Wrong::Instead(..) | Wrong::Exchanged(..) | Wrong::Map(_) | Wrong::Decoded(_)
+        )
     }
 
     /// Rows at the start of a file that it leaves open.

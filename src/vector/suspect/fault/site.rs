@@ -16,8 +16,8 @@ pub(super) enum Kind {
     Clocked,
     Comparison(Relation),
     Condition,
-    /// A choice between operands of these names.
-    /// How many of them ever belong somewhere: the others are near, and wrong everywhere.
+    /// A choice between operands of these names, and how many of them ever belong somewhere: the others are
+    /// near, and wrong everywhere.
     Choice(Vec<&'static str>, usize),
     /// A code of four.
     Code([&'static str; 4]),
