@@ -227,7 +227,7 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         return Ok(answer(Verdict::Undecided { words }));
     }
     Ok(answer(match work.pdr("bad", "compared")? {
-        Some(ran) if ran.good && ran.says("Property proved.") => {
+        Some(ran) if ran.good() && ran.says("Property proved.") => {
             Verdict::Proved { engine: "yosys-abc scorr and pdr", words: ran.last() }
         }
         other => {

@@ -216,6 +216,11 @@ pub(crate) fn bad_input(_: &str) {
     broken(&FOREIGN.replace("    wire [38:0] addend = ", latch), &["latch", "registers alone"]);
     let gated = "    wire slow = clock && cmd[0];\n    always @(posedge slow)";
     broken(&FOREIGN.replace("    always @(posedge clock)", gated), &["rising edge"]);
+    let looped = "wire [2:0] octant = hi[18:16] ^ {3{z[0] && octant[0]}};";
+    broken(
+        &FOREIGN.replace("wire [2:0] octant = hi[18:16];", looped),
+        &["a loop without a register"],
+    );
     // yosys itself refuses its gates.
     let gate = "    \\$_DFF_N_ odd (.C(clock), .D(cmd[0]), .Q());\n    always @(posedge clock)";
     broken(&FOREIGN.replace("    always @(posedge clock)", gate), &["yosys stopped", "$_DFF_N_"]);
@@ -236,7 +241,7 @@ pub(crate) fn bad_input(_: &str) {
         .replace("3'd2, 3'd3, 3'd4:", "3'd2, 3'd3:");
     write("walker.sv", &vacuous);
     refutes(home, plain);
-    // Loops and undriven wires are anything, and so are found out.
+    // Undriven wires are anything, and so found out.
     write("walker.sv", &FOREIGN.replace("wire [2:0] octant = hi[18:16];", "wire [2:0] octant;"));
     refutes(home, plain);
     write(
@@ -276,8 +281,8 @@ pub(crate) fn only_the_solvers_words_prove(_: &str) {
     for (says, status, told) in [
         ("echo 'Property proved.'", 1, "Property proved."),
         ("echo 'Property PROVED'", 0, "Property PROVED"),
-        ("true", 0, "it said nothing"),
-        ("kill -9 $$", 0, "it said nothing"),
+        ("true", 0, "exit status: 0"),
+        ("kill -9 $$", 0, "signal: 9"),
         ("exec sleep 60", 0, "yosys-abc pdr ran longer than 10 s"),
     ] {
         let ran = with_solver(home, says, status).ends(1);

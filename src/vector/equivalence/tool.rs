@@ -3,13 +3,13 @@
 use std::fs::File;
 use std::io::Result;
 use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitStatus, Stdio};
 use std::time::{Duration, Instant};
 
 /// What a tool printed, and whether it ended well.
 pub(super) struct Ran {
-    pub(super) text: String,
-    pub(super) good: bool,
+    text: String,
+    status: ExitStatus,
 }
 
 impl Ran {
@@ -17,10 +17,20 @@ impl Ran {
         self.text.lines().any(|line| line.contains(words))
     }
 
-    /// Its last line.
+    pub(super) fn good(&self) -> bool {
+        self.status.success()
+    }
+
+    /// Its last line, or how it ended if it said nothing.
     pub(super) fn last(&self) -> String {
         let line = self.text.lines().rev().find(|line| !line.trim().is_empty());
-        line.unwrap_or("it said nothing").trim().to_owned()
+        line.map_or_else(|| self.status.to_string(), |line| line.trim().to_owned())
+    }
+
+    /// The line that says what is wrong, or the last one.
+    pub(super) fn error(&self) -> String {
+        let line = self.text.lines().find(|line| line.to_lowercase().contains("error"));
+        line.map_or_else(|| self.last(), str::to_owned)
     }
 }
 
@@ -55,5 +65,5 @@ pub(super) fn run(
         std::thread::sleep(Duration::from_millis(5));
     };
     let text = String::from_utf8_lossy(&std::fs::read(log)?).into_owned();
-    Ok(Some(Ran { text, good: status.success() }))
+    Ok(Some(Ran { text, status }))
 }

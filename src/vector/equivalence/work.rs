@@ -64,14 +64,11 @@ impl Work<'_> {
             words,
             log: self.folder.join(log).display().to_string(),
         };
-        let Some(ran) = ran else {
-            return Err(failed(format!("it ran longer than {} s", self.limit.as_secs())));
-        };
-        if ran.good {
-            return Ok(());
+        match ran {
+            Some(ran) if ran.good() => Ok(()),
+            Some(ran) => Err(failed(ran.error())),
+            None => Err(failed(format!("it ran longer than {} s", self.limit.as_secs()))),
         }
-        let line = ran.text.lines().find(|line| line.to_lowercase().contains("error"));
-        Err(failed(line.or(ran.text.lines().last()).unwrap_or("it said nothing").to_owned()))
     }
 
     /// Lets yosys run a script, which has to end well.
@@ -140,12 +137,17 @@ impl Work<'_> {
         let script = format!(
             "{device}\nchformal -remove\nread_verilog -sv reference.sv\n\
              read_verilog -sv -formal miter.sv\nhierarchy -check -top guardbit_miter\nproc\nflatten\n\
-             setundef -undriven -anyseq\nmemory\nopt_clean\nwrite_json netlist.json\n\
+             setundef -undriven -anyseq\nmemory\nopt_clean\ncheck\nwrite_json netlist.json\n\
              async2sync\nopt_clean\nwrite_rtlil netlist.il\n"
         );
         self.yosys("netlist", &script)?;
-        netlist::check(&self.read("netlist.json")?)
-            .map_err(|what| EquivalenceError::Design { module: module.to_owned(), what })
+        let wrong = |what| EquivalenceError::Design { module: module.to_owned(), what };
+        if self.read("netlist.log")?.contains("found logic loop") {
+            let log = self.folder.join("netlist.log");
+            let what = "it has a loop without a register, whose cells are in";
+            return Err(wrong(format!("{what} {}", log.display())));
+        }
+        netlist::check(&self.read("netlist.json")?).map_err(wrong)
     }
 
     /// Asks whether one of the netlist's two outputs can ever be high.

@@ -6,7 +6,7 @@ use crate::mutant::steppers;
 use crate::run::run_in;
 use crate::set::run;
 use guardbit::profile;
-use guardbit::vector::equivalence::{Block, Question, Verdict, prove};
+use guardbit::vector::equivalence::{Block, EquivalenceError, Question, Verdict, prove};
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
@@ -14,8 +14,8 @@ fn block(module: &str) -> Option<Block> {
     [Block::Dda, Block::EdgeStepper].into_iter().find(|block| block.module() == module)
 }
 
-/// What a proof says of the devices in a file.
-fn verdict(home: &Path, devices: &str, block: Block) -> Verdict {
+/// What a proof says of the devices in a file; `None` where it refuses them.
+fn verdict(home: &Path, devices: &str, block: Block) -> Option<Verdict> {
     let rtl = [home.join("dut.sv")];
     std::fs::write(&rtl[0], devices).unwrap();
     let folder = home.join("proof");
@@ -26,7 +26,11 @@ fn verdict(home: &Path, devices: &str, block: Block) -> Verdict {
     let limit = Duration::from_mins(1);
     let question =
         Question { profile: &profile, block, rtl: &rtl, map: None, folder: &folder, limit };
-    prove(&question).unwrap().verdict
+    match prove(&question) {
+        Ok(answer) => Some(answer.verdict),
+        Err(EquivalenceError::Design { .. }) => None,
+        Err(error) => panic!("{error}\n{devices}"),
+    }
 }
 
 /// The defects of `mutants.toml` are refuted; those that are none are proved.
@@ -40,9 +44,9 @@ pub(crate) fn defects(_: &str) {
     for (id, module, equivalent, text) in mutants {
         let verdict = verdict(home.path(), &text, block(&module).unwrap());
         let right = match verdict {
-            Verdict::Proved { .. } => equivalent,
-            Verdict::Refuted { .. } => !equivalent,
-            Verdict::Undecided { .. } => false,
+            Some(Verdict::Proved { .. }) => equivalent,
+            Some(Verdict::Refuted { .. }) => !equivalent,
+            Some(Verdict::Undecided { .. }) | None => false,
         };
         if !right {
             wrong.push(format!("{id}: {verdict:?}"));
@@ -60,8 +64,8 @@ pub(crate) fn sampled(_: &str) {
     let set = home.path().join("set");
     let devices = Devices::read(&set);
     let mut sample = Sample::new(&devices, seed);
-    let [mut proved, mut refuted, mut undecided] = [0; 3];
-    while proved + refuted + undecided < count {
+    let [mut proved, mut refuted, mut undecided, mut refused] = [0; 4];
+    while proved + refuted + undecided + refused < count {
         let Some(mutant) = sample.draw() else { break };
         let Some(block) = block(&mutant.module) else { continue };
         let text = devices.with(&mutant);
@@ -70,7 +74,7 @@ pub(crate) fn sampled(_: &str) {
             continue;
         }
         match verdict(home.path(), &text, block) {
-            Verdict::Proved { .. } => {
+            Some(Verdict::Proved { .. }) => {
                 proved += 1;
                 for file in std::fs::read_dir(&set).unwrap().flatten() {
                     let link = home.path().join(file.file_name());
@@ -81,13 +85,16 @@ pub(crate) fn sampled(_: &str) {
                 let (good, said) = run(home.path(), "vvp", &["-n", "sim.vvp"]);
                 assert!(good, "proved and wrong: {:?}\n{said}", devices.lines(&mutant));
             }
-            Verdict::Refuted { .. } => refuted += 1,
-            Verdict::Undecided { words } => {
+            Some(Verdict::Refuted { .. }) => refuted += 1,
+            None => refused += 1,
+            Some(Verdict::Undecided { words }) => {
                 undecided += 1;
                 eprintln!("undecided: {:?}: {words}", devices.lines(&mutant));
             }
         }
     }
-    eprintln!("seed {seed}: {proved} proved, {refuted} refuted, {undecided} undecided");
+    eprintln!(
+        "seed {seed}: {proved} proved, {refuted} refuted, {undecided} undecided, {refused} refused"
+    );
     assert!(refuted > 0);
 }
