@@ -42,8 +42,8 @@ pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
     Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig,
-    RegisterError, RegisterMachine, Registers, RowOrder, SlopeConfig, SlopeEdges,
-    SubScanlineConfig, VertexSort, WordsError, columns,
+    RegisterDevice, RegisterError, RegisterMachine, Registers, RowOrder, SlopeConfig, SlopeEdges,
+    SubScanlineConfig, VertexSort, WiredDevice, WiredEngine, WordsError, columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
 pub use state::{RasterState, Site};

@@ -20,6 +20,8 @@ mod mutant;
 mod readme;
 #[path = "hdl/recipe.rs"]
 mod recipe;
+#[path = "hdl/register.rs"]
+mod register;
 #[path = "support/run.rs"]
 mod run;
 #[path = "hdl/scoreboard.rs"]
@@ -30,6 +32,8 @@ mod set;
 mod spoiled;
 #[path = "support/tool.rs"]
 mod tool;
+#[path = "hdl/vhdl.rs"]
+mod vhdl;
 #[path = "hdl/wave.rs"]
 mod wave;
 
@@ -55,7 +59,10 @@ fn main() {
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
         ICARUS.trial("icarus_rounds_in_every_way", bench::icarus_rounds),
         VERILATOR.soak_trial("verilator_runs_a_million_vectors", bench::verilator),
-        GHDL.trial("ghdl_runs_the_walks", bench::ghdl),
+        GHDL.trial("ghdl_runs_walks_and_streams", bench::ghdl),
+        GHDL.trial("ghdl_takes_late_outputs", vhdl::late_outputs),
+        GHDL.trial("ghdl_takes_answers_in_any_order", vhdl::other_orders),
+        GHDL.trial("ghdl_sees_defects_of_vhdl_devices", vhdl::defects),
         ICARUS.trial("icarus_refuses_spoiled_files", spoiled::icarus),
         VERILATOR.trial("verilator_refuses_spoiled_files", spoiled::verilator),
         GHDL.trial("ghdl_refuses_spoiled_files", spoiled::ghdl),
@@ -63,7 +70,9 @@ fn main() {
         ICARUS.trial("parameters_come_from_the_package", foreign::parameters),
         ICARUS.trial("answers_may_come_in_any_order", foreign::order),
         ICARUS.trial("what_is_not_checked_is_named", foreign::left_out),
-        ICARUS.trial("an_engine_of_registers_passes", foreign::registers),
+        ICARUS.trial("an_engine_of_registers_passes", register::quads),
+        ICARUS.trial("devices_of_built_in_registers_pass", register::wired),
+        ICARUS.soak_trial("defects_of_register_devices_are_seen", register::wired_defects),
         VERILATOR.trial("a_dump_is_whole_when_the_bench_stops", foreign::dump_before_the_end),
         ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
         cocotb.soak_trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),

@@ -2,7 +2,7 @@
 //! machine. Nothing here has a default that would be wrong for a machine nobody knows yet: what a machine
 //! does not say is "no" or "not stated", and is reported so.
 
-use super::{Datapath, Form, Machine, QuadDevice, RasterState, Site, Word};
+use super::{Datapath, Form, Machine, RasterState, RegisterDevice, Site, Word};
 use crate::cover::{EdgeWordConfig, FillRule, SampleGrid};
 use crate::exact::{PlaneNumerator, Rational};
 use crate::format::{Decision, Refused, Value};
@@ -195,8 +195,8 @@ pub trait Rasterizer: std::fmt::Debug + Send + Sync {
         self.kind().name
     }
 
-    /// What a device of the engine `quads` is told, where the machine is one of given edge functions.
-    fn quad_device(&self) -> Option<QuadDevice> {
+    /// The device that a machine of registers asks for.
+    fn register_device(&self) -> Option<RegisterDevice> {
         None
     }
 

@@ -2,6 +2,7 @@
 //! Spec clauses `RG-1` to `RG-4`.
 
 mod anchored;
+mod device;
 mod engine;
 mod form;
 mod host;
@@ -12,9 +13,10 @@ mod sub_scanline;
 mod text;
 
 pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest, VertexSort};
+pub use device::{QuadDevice, RegisterDevice, WiredDevice, WiredEngine};
 pub use engine::EngineConfig;
 pub use input::RegisterError;
-pub use quad::{Descent, Emit, QuadConfig, QuadDevice, QuadEdges, QuadRule};
+pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};
 pub use slope::{ClipEnds, Plane, RowOrder, SlopeConfig, SlopeEdges};
 pub use sub_scanline::{Product, SubScanlineConfig};
 pub use text::WordsError;

@@ -17,12 +17,14 @@ mod systemverilog;
 mod template;
 mod verilog;
 mod vhdl;
+mod wired;
 
 #[cfg(test)]
 mod test;
 
 use crate::bits::Rounding;
 use crate::format::{Clamp, Column};
+use crate::machine::RegisterDevice;
 pub use keyword::identifier;
 use plan::Plan;
 pub use plan::Unchecked;
@@ -81,9 +83,6 @@ pub struct EngineParameters {
     pub any_order: bool,
 }
 
-/// What draws edge functions that registers give, tile by tile, as `quad_engine` does it.
-pub type QuadParameters = crate::machine::QuadDevice;
-
 /// Everything the generated files depend on; equal interfaces give equal text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interface {
@@ -98,8 +97,8 @@ pub struct Interface {
     pub setup: Result<SetupParameters, String>,
     /// The engine, or why no device that this crate brings can do its job.
     pub engine: Result<EngineParameters, String>,
-    /// The engine of given edge functions, or why no device that this crate brings can do its job.
-    pub quads: Result<QuadParameters, String>,
+    /// What draws registers, or why no device that this crate brings can do its job.
+    pub registers: Result<RegisterDevice, String>,
     /// The data files, in the order they are described.
     pub files: Vec<FileLayout>,
 }

@@ -3,6 +3,7 @@
 #[cfg(feature = "cli")]
 use crate::run;
 use crate::set;
+use guardbit::model::{Model, Records};
 use guardbit::profile::{Profile, WindowConfig};
 use guardbit::vector::manifest::CoverageEntry;
 use set::{options, profile, write_set};
@@ -254,5 +255,56 @@ fn an_engine_shows_what_vertices_hide() {
             }
         });
         assert!(touches.count() > 10, "{side}");
+    }
+}
+
+// Clause X-6
+#[test]
+fn registers_have_words_that_no_host_writes() {
+    for name in ["ps1", "psp", "voodoo", "virge", "n64", "vortex"] {
+        let made = write_set(&profile(name), "knot", &options(20_000));
+        let cfg = made.rows("words.cfg.tv");
+        let class = |tag: &str| {
+            let mut first = 0;
+            for group in &made.manifest.groups {
+                if group.tag == tag {
+                    return &cfg[first..first + usize::try_from(group.tests).unwrap()];
+                }
+                first += usize::try_from(group.tests).unwrap();
+            }
+            panic!("{name}: no class {tag}")
+        };
+        let model = Model::new(&profile(name)).unwrap();
+        let input = &model.registers().unwrap().input;
+        let fields = (0..input.len()).flat_map(|word| {
+            input.fields(word).iter().map(move |field| (word + 1, field.at, field.width))
+        });
+        let (mut ends, mut bits, mut all_bits) = (0, 0, 0);
+        for (word, at, width) in fields.clone() {
+            let has = |tag: &str, value: u128| {
+                let mask = (1u128 << width) - 1;
+                usize::from(class(tag).iter().any(|row| row[word] >> at & mask == value))
+            };
+            ends += has("register-ends", 0) + has("register-ends", (1 << width) - 1);
+            bits += (0..width).map(|bit| has("register-bits", 1 << bit)).sum::<usize>();
+            all_bits += usize::try_from(width).unwrap();
+        }
+        // A test that would draw more than 1024 records has the host's words in its place.
+        let count = fields.clone().count();
+        assert!(10 * ends >= 2 * 9 * count, "{name}: {ends} of {} ends", 2 * count);
+        assert!(10 * bits >= 9 * all_bits, "{name}: {bits} of {all_bits} bits");
+        for tag in ["register-window", "register-pairs", "register-words", "random"] {
+            assert!(class(tag).len() >= count.min(70), "{name} {tag}: {}", class(tag).len());
+        }
+        // A clip rectangle inside of what is drawn: some tests of a host's words lose pixels by it.
+        let clipped = class("register-window").iter().filter(|row| {
+            let words: Vec<u32> =
+                row[1..].iter().map(|word| u32::try_from(*word).unwrap()).collect();
+            let mut records = Records::up_to(2000);
+            model.draw(&words[..], &mut records).unwrap();
+            assert!(records.total <= 1024, "{name}");
+            records.total > 0
+        });
+        assert!(clipped.count() > count, "{name}");
     }
 }

@@ -6,13 +6,13 @@ use crate::set::{ICARUS, Set, VERILATOR, build_verilator, good, run};
 use std::path::Path;
 
 /// Builds the bench in Icarus with macros defined; every `dut.sv` of the folder's own.
-fn build(folder: &Path, macros: &[&str], devices: &[&str]) {
+pub(crate) fn build(folder: &Path, macros: &[&str], devices: &[&str]) {
     let fixed = ["-g2012", "-o", "sim.vvp", "pkg.sv"];
     good(folder, "iverilog", &[&fixed[..], macros, devices, &["tb.sv"]].concat());
 }
 
 /// Runs the built bench with plusargs: whether it passes, and its text.
-fn bench(folder: &Path, plusargs: &[&str]) -> (bool, String) {
+pub(crate) fn bench(folder: &Path, plusargs: &[&str]) -> (bool, String) {
     let (ended, text) = run(folder, ICARUS.0, &[ICARUS.1, plusargs].concat());
     let says = |word: &str| text.lines().any(|line| line.starts_with(word));
     assert_eq!((ended, !ended), (says("PASS "), says("FAIL ")), "{text}");
@@ -397,57 +397,4 @@ pub(crate) fn dump_before_the_end(_: &str) {
     let dump = set.read("triangle.exp.dut.tv");
     assert_eq!(dump.lines().count(), 5, "{dump}");
     assert!(dump.ends_with('\n'));
-}
-
-/// The engine of a register-level machine: it passes, in other widths too, and defects of it are seen.
-pub(crate) fn registers(_: &str) {
-    let tile = ("tile = 32, block = 4", "tile = 8, block = 2");
-    let narrow = ("width = 32", "width = 24");
-    for (lines, count) in [(vec![], 900), (vec![narrow, tile], 2000)] {
-        let set = Set::of("vortex", &lines, &format!("--count {count}"));
-        build(&set.folder, &[], &["dut.sv"]);
-        let (good, text) = bench(&set.folder, &[]);
-        assert!(
-            good && text.contains("PASS words rows=") && !text.contains("not checked"),
-            "{text}"
-        );
-        let rows = text.split("rows=").nth(1).unwrap().split_whitespace().next().unwrap();
-        assert_eq!(rows.parse::<usize>().unwrap(), set.read("words-q.exp.tv").lines().count());
-        let hdl = Path::new(env!("CARGO_MANIFEST_DIR")).join("hdl/quad_engine.sv");
-        build(&set.folder, &["-DGUARDBIT_PARAMETERS"], &[hdl.to_str().unwrap()]);
-        assert!(bench(&set.folder, &[]).0, "{text}");
-    }
-    let set = Set::new("vortex --count 600");
-    let ours = set.read("dut.sv");
-    for (what, with) in [
-        // An edge, a corner of a part, its extent, the scissor, and a stream that does not wait.
-        ("place >= 2 ? dy", "place >= 2 ? dx"),
-        ("(dy[W-1] ? {W{1'b0}} : dy)", "dy"),
-        ("(reach >> level)", "(reach >> level + 1)"),
-        ("corner + (dx << S)", "corner + dx"),
-        ("column >= low_x", "column > low_x"),
-        ("row >= low_y", "row > low_y"),
-        (" || edges[2].pixels[place].e < 0", ""),
-        ("busy && (!q_valid || q_ready)", "busy"),
-    ] {
-        assert!(ours.contains(what), "{what}");
-        std::fs::write(set.folder.join("dut.sv"), ours.replace(what, with)).unwrap();
-        build(&set.folder, &[], &["dut.sv"]);
-        assert!(!bench(&set.folder, &[]).0, "{what}");
-    }
-    for (profile, engine) in [
-        ("ps1", "anchored"),
-        ("ps1-rtl", "anchored"),
-        ("psp", "quads"),
-        ("voodoo", "slopes"),
-        ("virge", "slopes"),
-        ("n64", "sub-scanlines"),
-        ("n64-rtl", "sub-scanlines"),
-    ] {
-        let set = Set::new(&format!("{profile} --count 300"));
-        build(&set.folder, &[], &["dut.sv"]);
-        let (good, text) = bench(&set.folder, &[]);
-        assert!(!good && text.contains("FAIL nothing to check"), "{text}");
-        assert!(text.contains(&format!("NOT CHECKED words: there is no device for {engine}")));
-    }
 }

@@ -689,7 +689,7 @@ module setup_check (
     import guardbit_pkg::*;
     localparam logic [63:0] REPORTED = 20;
     localparam integer PATIENCE = 100000;   // clocks without a transfer
-    localparam integer IDLE = 300;          // clocks after which nothing is under way
+    localparam integer IDLE = 300;          // clocks after which a device that is ready has nothing under way
     localparam integer MOST_EXTRAS = 4 * SETUP_CFG_ROWS + 1000;
 
     line_reader #(
@@ -711,6 +711,7 @@ module setup_check (
     // Before some records the device is given another, with other words, and a reset while it works on
     // that. Nothing of it may be seen. Not with +no-reset, +dump or +vcd.
     reg cuts;
+    reg cut_next;
     reg cutting;                            // the other record is in: no answer is taken
     integer cut_left;                       // clocks until the reset
 
@@ -1020,9 +1021,10 @@ module setup_check (
                 if (cuts) cfg = ~cfg;
             end
             taken = 1'b0;
+            cut_next = cuts && cfg_file.line[5:0] == 2 && quiet <= PATIENCE / 2;
             if (!in_valid && !stalls && !cutting && cfg_file.line < SETUP_CFG_ROWS
-                    && (!cuts || cfg_file.line[5:0] != 2 || quiet > IDLE)) begin
-                cutting = cuts && cfg_file.line[5:0] == 2;
+                    && (!cut_next || quiet > IDLE && in_ready === 1'b1)) begin
+                cutting = cut_next;
                 cfg_file.next;
                 cfg_bits = {
                     cfg_file.nibbles[139:136], cfg_file.nibbles[123:120], cfg_file.nibbles[107:104], cfg_file.nibbles[91:88],
@@ -1072,7 +1074,7 @@ module triangle_check (
     import guardbit_pkg::*;
     localparam logic [63:0] REPORTED = 20;
     localparam integer PATIENCE = 100000;   // clocks without a transfer
-    localparam integer IDLE = 300;          // clocks after which nothing is under way
+    localparam integer IDLE = 300;          // clocks after which a device that is ready has nothing under way
     localparam integer MOST_EXTRAS = 4 * TRIANGLE_CFG_ROWS + 1000;
 
     line_reader #(
@@ -1094,6 +1096,7 @@ module triangle_check (
     // Before some records the device is given another, with other words, and a reset while it works on
     // that. Nothing of it may be seen. Not with +no-reset, +dump or +vcd.
     reg cuts;
+    reg cut_next;
     reg cutting;                            // the other record is in: no answer is taken
     integer cut_left;                       // clocks until the reset
     reg any_order;                          // rows of a test are matched by their key
@@ -1693,9 +1696,10 @@ module triangle_check (
                 if (cuts) cfg = ~cfg;
             end
             taken = 1'b0;
+            cut_next = cuts && cfg_file.line[5:0] == 2 && quiet <= PATIENCE / 2;
             if (!in_valid && !stalls && !cutting && cfg_file.line < TRIANGLE_CFG_ROWS
-                    && (!cuts || cfg_file.line[5:0] != 2 || quiet > IDLE)) begin
-                cutting = cuts && cfg_file.line[5:0] == 2;
+                    && (!cut_next || quiet > IDLE && in_ready === 1'b1)) begin
+                cutting = cut_next;
                 cfg_file.next;
                 cfg_bits = {
                     cfg_file.nibbles[563:560], cfg_file.nibbles[555:552], cfg_file.nibbles[547:544], cfg_file.nibbles[539:536],

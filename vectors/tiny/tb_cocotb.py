@@ -29,6 +29,11 @@ DEVICES = {
         {"span.exp": "span_", "depth.exp": "sample_", "triangle.exp": "triangle_"},
     ),
     "quad_engine": ("words.cfg", {"words-q.exp": "q_"}),
+    "anchored_engine": ("words.cfg", {"words-p.exp": "p_"}),
+    "vertex_quad_engine": ("words.cfg", {"words-p.exp": "p_"}),
+    "given_slope_engine": ("words.cfg", {"words-p.exp": "p_"}),
+    "divided_slope_engine": ("words.cfg", {"words-p.exp": "p_"}),
+    "sub_scanline_engine": ("words.cfg", {"words-s.exp": "span_", "words-p.exp": "p_"}),
 }
 # What the summary's events look at is wider than any word of the engine: they are not compared.
 EVENTS = {"wrap", "clamp_above", "clamp_below", "inexact"}

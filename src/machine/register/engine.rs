@@ -1,8 +1,7 @@
 //! The list of engines: one line each. What an engine does is asked through [`EngineForm`].
 
-use super::QuadDevice;
 use super::input::{Inputs, RegisterError};
-use crate::format::Layout;
+use super::{RegisterConfig, RegisterDevice};
 use crate::machine::{Step, Target, Word};
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::Channel;
@@ -39,10 +38,8 @@ pub(super) trait EngineForm {
     /// The word that decides coverage; `None` where sides are exact.
     fn edge_word(&self) -> Option<Word>;
 
-    /// What a device is told, of the engine `quads` with given edges.
-    fn quad_device(&self, _input: &Layout) -> Option<QuadDevice> {
-        None
-    }
+    /// The device that the machine's engine, this one, asks for.
+    fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice>;
 
     /// Every configuration one decision away.
     fn neighbours(&self) -> Vec<Step<EngineConfig>>;

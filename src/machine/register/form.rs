@@ -3,10 +3,10 @@
 use super::{RegisterConfig, RegisterError};
 use crate::cover::FillRule;
 use crate::exact::{PlaneNumerator, Rational};
-use crate::format::{Clamp, Layout, Refused, Value};
+use crate::format::{Clamp, Refused, Value};
 use crate::machine::{
-    Datapath, Face, Form, FormError, Intake, Kind, Machine, Polygons, QuadDevice, RasterState,
-    Rasterizer, Site, Step, Steps, Target, Word, near, near_or_none,
+    Datapath, Face, Form, FormError, Intake, Kind, Machine, Polygons, RasterState, Rasterizer,
+    RegisterDevice, Site, Step, Steps, Target, Word, near, near_or_none,
 };
 use crate::value::{ChannelConfig, Extension};
 
@@ -185,8 +185,8 @@ impl Rasterizer for RegisterConfig {
         self.engine.name()
     }
 
-    fn quad_device(&self) -> Option<QuadDevice> {
-        self.engine.form().quad_device(&Layout::parse(&self.input).ok()?)
+    fn register_device(&self) -> Option<RegisterDevice> {
+        self.engine.form().device(self)
     }
 
     fn channels(&self) -> &[ChannelConfig] {

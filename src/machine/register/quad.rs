@@ -84,19 +84,6 @@ pub struct QuadConfig {
 
 const NAME: &str = "quads";
 
-/// What a device of given edge functions is told.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct QuadDevice {
-    /// Bits of an edge word.
-    pub edge: u32,
-    /// Pixels on a side of a tile.
-    pub tile: u32,
-    /// Pixels on a side of a block.
-    pub block: u32,
-    /// Bits of a register of a pixel coordinate.
-    pub coordinate: u32,
-}
-
 /// Where the registers lie.
 #[derive(Clone, Debug)]
 pub(super) enum Source {

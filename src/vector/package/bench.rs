@@ -14,6 +14,11 @@ const LEFT_OUT: &str = "// Not checked, @BENCH@: @REASON@.\n";
 /// The same in VHDL.
 const LEFT_OUT_VHDL: &str = "-- Not checked, @BENCH@: @REASON@.\n";
 
+/// A generic of the VHDL testbench, where it drives walks.
+const LATENCY: &str = ";
+        -- Clocks that the outputs of walks come late.
+        LATENCY : natural range 0 to 63 := 0";
+
 /// The SystemVerilog testbench.
 pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String {
     let plan = Plan::systemverilog(interface, records);
@@ -75,16 +80,26 @@ pub(super) fn cocotb(interface: &Interface) -> String {
 /// The VHDL testbench.
 pub(super) fn vhdl(interface: &Interface, records: &[Record]) -> String {
     let plan = Plan::vhdl(interface, records);
-    let halves = &plan.halves;
+    let (halves, streams, names) = (&plan.halves, &plan.streams, plan.names());
     let left_out = plan.each_unchecked(LEFT_OUT_VHDL);
     let say = plan.each_unchecked("        say(\"NOT CHECKED @BENCH@: @REASON@\");\n");
-    if halves.is_empty() {
+    if names.is_empty() {
         let text = fill(include_str!("tb.none.vhd.in"), &[("LEFT_OUT", &left_out), ("SAY", &say)]);
         return head(interface, &text);
     }
     let each = |between: &str, text: &dyn Fn(&str) -> String| {
-        halves.iter().map(|half| text(half.name)).collect::<Vec<_>>().join(between)
+        names.iter().map(|name| text(name)).collect::<Vec<_>>().join(between)
     };
+    let keyed = |name: &str| streams.iter().any(|stream| stream.name == name && stream.keyed());
+    let walks = |name: &str| halves.iter().any(|half| half.name == name);
+    let latency = if halves.is_empty() { "" } else { LATENCY };
+    let any_order = streams.iter().find(|stream| stream.keyed()).map(|stream| {
+        format!(
+            ";\n        -- Rows of a test in any order, for engines with an order of their own.\n        ANY_ORDER : boolean := {}",
+            stream.any_order
+        )
+    });
+    let checks = halves.iter().map(Half::vhdl).chain(streams.iter().map(Stream::vhdl));
     let signals = each("", &|name| {
         format!(
             "    signal {name}_done : boolean;\n    signal {name}_rows, {name}_mismatches : count_t;\n"
@@ -92,14 +107,21 @@ pub(super) fn vhdl(interface: &Interface, records: &[Record]) -> String {
     });
     let instances = each("", &|name| {
         let scope = identifier(name);
+        let order = match name {
+            _ if walks(name) => ", LATENCY => LATENCY",
+            _ if keyed(name) => ", ANY_ORDER => ANY_ORDER",
+            _ => "",
+        };
         format!(
-            "    {scope} : entity work.{name}_check\n        generic map (DUMP => DUMP)\n        port map (clk => clk, done => {name}_done, rows => {name}_rows, mismatches => {name}_mismatches);\n"
+            "    {scope} : entity work.{name}_check\n        generic map (DUMP => DUMP{order})\n        port map (clk => clk, done => {name}_done, rows => {name}_rows, mismatches => {name}_mismatches);\n"
         )
     });
     let text = fill(
         include_str!("tb.vhd.in"),
         &[
-            ("HALVES", &halves.iter().map(Half::vhdl).collect::<String>()),
+            ("HALVES", &checks.collect::<String>()),
+            ("LATENCY", latency),
+            ("ANY_ORDER", &any_order.unwrap_or_default()),
             ("LEFT_OUT", &left_out),
             ("SAY", &say),
             ("UNCHECKED", &plan.verdict()),
@@ -120,7 +142,8 @@ pub(super) fn vhdl_device(interface: &Interface, records: &[Record]) -> String {
     let left_out = plan.each_unchecked(LEFT_OUT_VHDL);
     let mut text = fill(include_str!("dut.vhd.in"), &[("LEFT_OUT", &left_out)]);
     text += &devices(interface, &plan.halves, |half| half.entity);
-    if plan.halves.is_empty() {
+    text += &stream::entities(&plan.streams, &plan.halves);
+    if plan.names().is_empty() {
         // A design file needs a design unit.
         text += "\npackage guardbit_no_device is\nend package guardbit_no_device;\n";
     }

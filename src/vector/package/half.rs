@@ -170,7 +170,7 @@ impl Half<'_> {
             &[
                 ("CFG_SHAPE", self.cfg.shape().trim_end()),
                 ("EXP_SHAPE", self.exp.shape().trim_end()),
-                ("STATE_WANT", &bits(&format!("want.{state}"))),
+                ("STATE_WANT", &bits(&format!("told.want.{state}"))),
                 ("STATE_GOT", &bits(state)),
                 // The stepper's inside flag is a single wire.
                 ("OUT_INDEX", if self.name == "edge" { "(0)" } else { "" }),

@@ -32,7 +32,8 @@ impl<'a> Plan<'a> {
 
     /// Of `tb.vhd`.
     pub(super) fn vhdl(interface: &Interface, records: &'a [Record<'a>]) -> Self {
-        Self::new("tb.vhd", interface, records, Vec::new())
+        let streams = streams(interface, records).into_iter().filter(Stream::has_entity);
+        Self::new("tb.vhd", interface, records, streams.collect())
     }
 
     fn new(
@@ -103,7 +104,7 @@ fn reason(interface: &Interface, records: &[Record], bench: &str, testbench: &st
     let missing = match bench {
         "setup" => interface.setup.as_ref().err().cloned(),
         "triangle" => interface.engine.as_ref().err().cloned(),
-        "words" => interface.quads.as_ref().err().cloned(),
+        "words" => interface.registers.as_ref().err().cloned(),
         _ => None,
     };
     let here = matches!(bench, "setup" | "triangle" | "words")

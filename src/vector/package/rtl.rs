@@ -1,6 +1,7 @@
 //! The devices of `hdl` with a set's parameters as their defaults.
 
-use super::{ClampParameters, Interface, QuadParameters, SetupParameters};
+use super::{ClampParameters, Interface, SetupParameters, wired};
+use crate::machine::{QuadDevice, RegisterDevice, WiredDevice};
 
 /// A module or entity of `hdl`.
 pub(super) struct Source {
@@ -23,7 +24,7 @@ pub(super) enum ParameterError {
     NoValue { file: &'static str, parameter: String },
 }
 
-const fn systemverilog(
+pub(super) const fn systemverilog(
     file: &'static str,
     text: &'static str,
     parameters: &'static [&'static str],
@@ -40,6 +41,11 @@ const fn vhdl(
 }
 
 const READ_OUT: &[&str] = &["G", "I", "F", "MODE"];
+const ENGINE: &[&str] = &["M", "G", "I", "F", "MODE", "C"];
+const SET_UP: &[&str] = &[
+    "VW", "VS", "S", "SAMPLE_X", "SAMPLE_Y", "RULE", "SHIFT", "M", "G", "I", "F", "ROUNDING",
+    "HALF",
+];
 
 /// The depth DDA.
 pub(super) static DDA: Source =
@@ -69,11 +75,8 @@ pub(super) static TRIANGLE_SETUP: Source = systemverilog(
     ],
 );
 /// The triangle engine.
-pub(super) static TRIANGLE_ENGINE: Source = systemverilog(
-    "triangle_engine.sv",
-    include_str!("../../../hdl/triangle_engine.sv"),
-    &["M", "G", "I", "F", "MODE", "C"],
-);
+pub(super) static TRIANGLE_ENGINE: Source =
+    systemverilog("triangle_engine.sv", include_str!("../../../hdl/triangle_engine.sv"), ENGINE);
 /// The engine of given edge functions.
 pub(super) static QUAD_ENGINE: Source = systemverilog(
     "quad_engine.sv",
@@ -86,6 +89,15 @@ pub(super) static DDA_VHDL: Source =
 /// The edge stepper in VHDL.
 pub(super) static EDGE_STEPPER_VHDL: Source =
     vhdl("edge_stepper.vhd", include_str!("../../../hdl/edge_stepper.vhd"), &["M"]);
+/// The divider of the set-up in VHDL, which tells it everything.
+pub(super) static SETUP_DIVIDER_VHDL: Source =
+    vhdl("setup_divider.vhd", include_str!("../../../hdl/setup_divider.vhd"), &[]);
+/// The set-up in VHDL.
+pub(super) static TRIANGLE_SETUP_VHDL: Source =
+    vhdl("triangle_setup.vhd", include_str!("../../../hdl/triangle_setup.vhd"), SET_UP);
+/// The triangle engine in VHDL.
+pub(super) static TRIANGLE_ENGINE_VHDL: Source =
+    vhdl("triangle_engine.vhd", include_str!("../../../hdl/triangle_engine.vhd"), ENGINE);
 
 /// The constant of the packages that a parameter is set to; those of widths depend on the bench.
 pub(super) fn constant(parameter: &str) -> Option<&'static str> {
@@ -105,7 +117,9 @@ pub(super) fn constant(parameter: &str) -> Option<&'static str> {
         ("T", "QUAD_TILE"),
         ("B", "QUAD_BLOCK"),
     ];
-    constants.into_iter().find(|(name, _)| *name == parameter).map(|(_, constant)| constant)
+    let wired = wired::PARAMETERS.map(|(name, constant, _)| (name, constant));
+    let mut all = constants.into_iter().chain(wired);
+    all.find(|(name, _)| *name == parameter).map(|(_, constant)| constant)
 }
 
 /// What the packages say of set-up and engine: constant, value, and what it is.
@@ -136,17 +150,26 @@ pub(super) fn constants(interface: &Interface) -> Vec<(&'static str, i128, Strin
             ],
         ));
     }
-    if let Ok(quads) = &interface.quads {
-        all.extend(listed(
-            Values::of_quads(quads),
-            &[
-                ("W", "Quad engine: bits of an edge word".to_owned()),
-                ("T", "pixels on a side of a tile".to_owned()),
-                ("B", "pixels on a side of the smallest part that is tested".to_owned()),
-            ],
-        ));
-        let what = "bits of a register of a pixel coordinate".to_owned();
-        all.push(("QUAD_COORDINATE_BITS", quads.coordinate.into(), what));
+    match &interface.registers {
+        Ok(RegisterDevice::Quads(quads)) => {
+            all.extend(listed(
+                Values::of_quads(quads),
+                &[
+                    ("W", "Quad engine: bits of an edge word".to_owned()),
+                    ("T", "pixels on a side of a tile".to_owned()),
+                    ("B", "pixels on a side of the smallest part that is tested".to_owned()),
+                ],
+            ));
+            let what = "bits of a register of a pixel coordinate".to_owned();
+            all.push(("QUAD_COORDINATE_BITS", quads.coordinate.into(), what));
+        }
+        Ok(RegisterDevice::Wired(WiredDevice { values, .. })) => {
+            for (parameter, constant, what) in wired::PARAMETERS {
+                let value = values.iter().find(|(name, _)| *name == parameter);
+                all.extend(value.map(|(_, value)| (constant, *value, what.to_owned())));
+            }
+        }
+        Err(_) => {}
     }
     all
 }
@@ -205,13 +228,18 @@ impl Values {
     }
 
     /// Parameters of the engine of given edge functions.
-    pub(super) fn of_quads(quads: &QuadParameters) -> Self {
+    pub(super) fn of_quads(quads: &QuadDevice) -> Self {
         Self(vec![
             ("W", quads.edge.into()),
             ("T", quads.tile.into()),
             ("B", quads.block.into()),
             ("C", quads.coordinate.into()),
         ])
+    }
+
+    /// Parameters as they are listed.
+    pub(super) fn listed(values: &[(&'static str, i128)]) -> Self {
+        Self(values.to_vec())
     }
 
     /// With those of the set-up.
@@ -246,7 +274,7 @@ mod tests {
     use crate::format::Clamp;
     use std::collections::BTreeMap;
 
-    const ALL: [&Source; 10] = [
+    const ALL: [&Source; 13] = [
         &DDA,
         &EDGE_STEPPER,
         &EDGE_EVALUATOR,
@@ -257,7 +285,14 @@ mod tests {
         &QUAD_ENGINE,
         &DDA_VHDL,
         &EDGE_STEPPER_VHDL,
+        &SETUP_DIVIDER_VHDL,
+        &TRIANGLE_SETUP_VHDL,
+        &TRIANGLE_ENGINE_VHDL,
     ];
+
+    fn all() -> impl Iterator<Item = &'static Source> {
+        ALL.into_iter().chain(wired::sources())
+    }
 
     /// A value of its own for each parameter of a device.
     fn values(source: &Source) -> Values {
@@ -283,7 +318,7 @@ mod tests {
 
     #[test]
     fn every_parameter_of_a_set_is_set_in_every_device() {
-        for source in ALL {
+        for source in all() {
             let text = source.filled(&values(source)).unwrap();
             for (name, value) in values(source).0 {
                 let set = format!("{}{value}", (source.mark)(name));
@@ -296,7 +331,7 @@ mod tests {
 
     #[test]
     fn a_parameter_that_is_not_declared_stops_loudly() {
-        for source in ALL {
+        for source in all() {
             for name in source.parameters {
                 let renamed = source.text.replace(&(source.mark)(name), &(source.mark)("OTHER"));
                 let text: &'static str = Box::leak(renamed.into_boxed_str());
@@ -321,13 +356,19 @@ mod tests {
     // Clause J-1
     #[test]
     fn codes_of_roundings_and_clamps_are_those_of_the_devices() {
-        let divider = constants(SETUP_DIVIDER.text);
+        let dividers = [&SETUP_DIVIDER, &SETUP_DIVIDER_VHDL].map(|source| constants(source.text));
         for rounding in Rounding::ALL {
             let names = rounding.names();
             let constant = names.guardbit.replace('-', "_").to_uppercase();
-            assert_eq!(divider.get(&constant), Some(&names.code), "{constant}");
+            for divider in &dividers {
+                assert_eq!(divider.get(&constant), Some(&names.code), "{constant}");
+            }
             let used = format!("            {constant}: up = ");
             assert_eq!(SETUP_DIVIDER.text.matches(&used).count(), 1, "{used}");
+            // In VHDL the others leave the magnitude as it is.
+            let used = format!("                when {constant} => up := ");
+            let times = usize::from(rounding != Rounding::TowardZero);
+            assert_eq!(SETUP_DIVIDER_VHDL.text.matches(&used).count(), times, "{used}");
         }
         let mut codes: Vec<u32> = Rounding::ALL.iter().map(|r| r.names().code).collect();
         codes.sort_unstable();

@@ -1,13 +1,15 @@
 //! Benches of devices behind valid/ready streams: one record in, rows of several files out.
 
 mod answer;
+mod vhdl;
 
 use super::half::{Half, pack, parameters, text_mask};
 use super::record::{Field, Record};
 use super::rtl::{self, Source, Values};
 use super::template::fill;
-use super::{EngineParameters, Interface, QuadParameters, SetupParameters};
+use super::{EngineParameters, Interface, SetupParameters, wired};
 use crate::format::Role;
+use crate::machine::{QuadDevice, RegisterDevice, WiredDevice};
 use answer::{Answer, COMPLETE, COMPLETE_ANY, FORGET, MISSING, READY, WATCH};
 
 /// A device, the file that drives it and the files that it answers.
@@ -17,12 +19,16 @@ pub(super) struct Stream<'a> {
     device: &'static str,
     /// The modules that the device is made of, itself last.
     parts: &'static [&'static Source],
+    /// The same in VHDL; empty if there is no such device.
+    entities: &'static [&'static Source],
     /// What its modules are told.
     values: Values,
     /// The parameters whose values the package has as widths of columns, and the names of these constants.
     of_files: Vec<(&'static str, String)>,
     /// Whether answers of a test may come in any order unless the simulation asks for another.
-    any_order: bool,
+    pub(super) any_order: bool,
+    /// A port that the set's column gives another name.
+    renamed: Option<(&'static str, &'static str)>,
     cfg: &'a Record<'a>,
     answers: Vec<Answer<'a>>,
 }
@@ -45,8 +51,11 @@ pub(super) fn streams<'a>(interface: &Interface, records: &'a [Record<'a>]) -> V
     let clamp = Values::of_clamp(&interface.clamp);
     let setup = interface.setup.as_ref().ok().and_then(|known| setup(records, &clamp, known));
     let engine = interface.engine.as_ref().ok().and_then(|known| engine(records, &clamp, *known));
-    let quads = interface.quads.as_ref().ok().and_then(|known| quads(records, known));
-    setup.into_iter().chain(engine).chain(quads).collect()
+    let registers = interface.registers.as_ref().ok().and_then(|known| match known {
+        RegisterDevice::Quads(known) => quads(records, known),
+        RegisterDevice::Wired(device) => wired_stream(records, device),
+    });
+    setup.into_iter().chain(engine).chain(registers).collect()
 }
 
 /// Set-up words of edge functions and a depth plane.
@@ -65,6 +74,7 @@ fn setup<'a>(
     let answers = [("setup.exp", "o_", 0, words())];
     let mut stream = stream(records, "setup", SETUP, &vertices, &answers)?;
     stream.values = clamp.clone().and_setup(known);
+    stream.entities = SETUP_VHDL;
     stream.width("VW", &Role::VERTEX_X)?;
     stream.width("M", &Role::EDGE_INIT)?;
     let x = stream.column(&Role::VERTEX_X)?;
@@ -89,6 +99,7 @@ fn engine<'a>(
     ];
     let mut stream = stream(records, "triangle", ENGINE, &inputs, &answers)?;
     stream.values = clamp.clone();
+    stream.entities = ENGINE_VHDL;
     stream.any_order = known.any_order;
     stream.width("C", &Role::BOX_X_BEGIN)?;
     stream.width("M", &Role::EDGE_INIT)?;
@@ -96,7 +107,7 @@ fn engine<'a>(
 }
 
 /// The stream of an engine of given edge functions.
-fn quads<'a>(records: &'a [Record<'a>], known: &QuadParameters) -> Option<Stream<'a>> {
+fn quads<'a>(records: &'a [Record<'a>], known: &QuadDevice) -> Option<Stream<'a>> {
     let list = |names: &str| names.split(' ').map(str::to_owned).collect::<Vec<_>>();
     let inputs = list("test tile_x tile_y x_min x_max y_min y_max a0 b0 c0 a1 b1 c1 a2 b2 c2");
     let places = (0..3).flat_map(|k| (0..4).map(move |place| format!("e{k}_{place}")));
@@ -108,10 +119,31 @@ fn quads<'a>(records: &'a [Record<'a>], known: &QuadParameters) -> Option<Stream
     Some(stream)
 }
 
+/// The stream of a device that is wired for a built-in profile: the columns are those of its words.
+fn wired_stream<'a>(records: &'a [Record<'a>], device: &WiredDevice) -> Option<Stream<'a>> {
+    let columns = |stem: &str| {
+        let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
+        Some(record.fields.iter().map(|field| field.column.name.clone()).collect::<Vec<_>>())
+    };
+    let kinds = [("words-s.exp", "span_"), ("words-p.exp", "p_")];
+    let answers = kinds.map(|(stem, prefix)| Some((stem, prefix, 0, columns(stem)?)));
+    let answers: Vec<Wanted> = answers.into_iter().flatten().collect();
+    let mut stream =
+        stream(records, "words", wired::device(device.engine), &columns("words.cfg")?, &answers)?;
+    stream.values = Values::listed(&device.values);
+    // Without a register for the sign of the long side, its word is named after the step alone.
+    stream.renamed =
+        Some(("long_sign_xh_step", "xh_step")).filter(|(_, new)| stream.cfg.field(new).is_some());
+    Some(stream)
+}
+
 /// A device of `hdl` behind streams, and the modules that it is made of, itself last.
 type Device = (&'static str, &'static [&'static Source]);
 
 const SETUP: Device = ("triangle_setup", &[&rtl::SETUP_DIVIDER, &rtl::TRIANGLE_SETUP]);
+/// The same in VHDL.
+const SETUP_VHDL: &[&Source] = &[&rtl::SETUP_DIVIDER_VHDL, &rtl::TRIANGLE_SETUP_VHDL];
+const ENGINE_VHDL: &[&Source] = &[&rtl::DDA_VHDL, &rtl::TRIANGLE_ENGINE_VHDL];
 const ENGINE: Device = (
     "triangle_engine",
     &[
@@ -151,17 +183,46 @@ fn stream<'a>(
     });
     let answers: Vec<Answer> = answers.collect::<Option<_>>()?;
     let (values, of_files) = (Values::default(), Vec::new());
-    Some(Stream { name, device, parts, values, of_files, any_order: false, cfg, answers })
+    let (any_order, renamed) = (false, None);
+    Some(Stream {
+        name,
+        device,
+        parts,
+        entities: &[],
+        values,
+        of_files,
+        any_order,
+        renamed,
+        cfg,
+        answers,
+    })
 }
 
 /// The modules of these streams' devices, without those of `halves`, which the text has already.
 pub(super) fn modules(streams: &[Stream], halves: &[Half]) -> String {
-    let have = |source: &Source| halves.iter().any(|half| half.module.file() == source.file());
+    devices(streams, halves, |stream| stream.parts, |half| half.module)
+}
+
+/// The same in VHDL.
+pub(super) fn entities(streams: &[Stream], halves: &[Half]) -> String {
+    devices(streams, halves, |stream| stream.entities, |half| half.entity)
+}
+
+fn devices(
+    streams: &[Stream],
+    halves: &[Half],
+    parts: fn(&Stream) -> &'static [&'static Source],
+    of_half: fn(&Half) -> &'static Source,
+) -> String {
+    let have = |source: &Source| halves.iter().any(|half| of_half(half).file() == source.file());
     let mut text = String::new();
     for stream in streams {
-        for part in stream.parts.iter().filter(|part| !have(part)) {
+        for part in parts(stream).iter().filter(|part| !have(part)) {
             text += "\n";
-            text += &part.with(&stream.values);
+            let module = part.with(&stream.values);
+            text += &stream
+                .renamed
+                .map_or_else(|| module.clone(), |(old, new)| module.replace(old, new));
         }
     }
     text
@@ -202,7 +263,7 @@ impl Stream<'_> {
             let parts: Vec<String> = self.answers.iter().map(|answer| answer.fill(text)).collect();
             parts.join(between)
         };
-        let keyed = self.answers.iter().any(|answer| answer.key > 0);
+        let keyed = self.keyed();
         let order = |text: &'static str| if keyed { text } else { "" };
         let complete =
             |answer: &Answer| answer.fill(if answer.key > 0 { COMPLETE_ANY } else { COMPLETE });
@@ -265,10 +326,17 @@ impl Stream<'_> {
     /// Another record in the place of the next: where and what is drawn stays, so that the device has
     /// something to work on; numbers, depths and vertices are others.
     fn cut(&self) -> String {
-        let stays = |id: &str| id.starts_with("box") || id.starts_with("edge") || id == "zero_area";
-        let fields = self.cfg.fields.iter().filter(|field| !stays(&field.id));
         let line = |field: &Field| format!("                    cfg.{0} = ~cfg.{0};\n", field.id);
-        fields.map(line).collect::<Vec<_>>().concat()
+        self.cut_fields().map(line).collect::<Vec<_>>().concat()
+    }
+
+    fn cut_fields(&self) -> impl Iterator<Item = &Field<'_>> {
+        let stays = |id: &str| match self.name {
+            // Other registers would draw nothing.
+            "words" => id != Role::TEST.pattern,
+            _ => id.starts_with("box") || id.starts_with("edge") || id == "zero_area",
+        };
+        self.cfg.fields.iter().filter(move |field| !stays(&field.id))
     }
 
     /// The columns as signals of their own names, each once: as a trace shows them.

@@ -2,13 +2,14 @@
 
 use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule};
 use crate::format::{Clamp, ReadOut};
+use crate::machine::RegisterDevice;
 use crate::model::MODEL_VERSION;
-use crate::profile::Profile;
+use crate::profile::{BUILTIN, Profile, builtin};
 use crate::setup::Division;
 use crate::value::{DepthConfig, StartBias};
 use crate::vector::manifest::FileEntry;
 use crate::vector::package::{
-    ClampParameters, EngineParameters, FileLayout, Interface, QuadParameters, SetupParameters,
+    ClampParameters, EngineParameters, FileLayout, Interface, SetupParameters,
 };
 
 /// What the generated files of a set depend on.
@@ -30,9 +31,9 @@ pub(super) fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> In
             columns: file.columns.clone(),
         })
         .collect();
-    let (setup, engine, quads) = (setup(profile), engine(profile), quads(profile));
+    let (setup, engine, registers) = (setup(profile), engine(profile), registers(profile));
     let set = set.to_owned();
-    Interface { set, model_version: MODEL_VERSION, clamp, setup, engine, quads, files }
+    Interface { set, model_version: MODEL_VERSION, clamp, setup, engine, registers, files }
 }
 
 /// What the devices that draw a profile are told.
@@ -116,8 +117,26 @@ fn engine(profile: &Profile) -> Result<EngineParameters, String> {
     Ok(EngineParameters { any_order: profile.traversal.is_some() })
 }
 
-/// What the engine of given edge functions is told.
-fn quads(profile: &Profile) -> Result<QuadParameters, String> {
+/// What draws the profile's registers.
+fn registers(profile: &Profile) -> Result<RegisterDevice, String> {
     let missing = || format!("there is no device for {}", profile.form.engine());
-    profile.form.quad_device().ok_or_else(missing)
+    let device = profile.form.register_device().ok_or_else(missing)?;
+    let field = |profile: &Profile| {
+        let vertex = &profile.vertex;
+        (vertex.integer, vertex.sub_pixel, vertex.signed, profile.sample)
+    };
+    // Devices are wired for the registers of built-in profiles.
+    let wired_alike = |known: &Profile| match (&device, known.form.register_device()) {
+        (RegisterDevice::Wired(own), Some(RegisterDevice::Wired(known_device))) => {
+            own.wiring == known_device.wiring && field(profile) == field(known)
+        }
+        _ => false,
+    };
+    let known = BUILTIN.iter().filter_map(|(name, _)| builtin(name)?.ok());
+    if matches!(device, RegisterDevice::Quads(_))
+        || known.into_iter().any(|known| wired_alike(&known))
+    {
+        return Ok(device);
+    }
+    Err(missing() + " with these registers: each device is wired for those of a built-in profile")
 }

@@ -1,10 +1,12 @@
 //! The engine `anchored` as a profile configures it.
 
-use super::{Anchor, AnchoredConfig, HalfOrder, NAME, VertexSort};
+use super::{Anchor, AnchoredConfig, HalfOrder, Largest, NAME, VertexSort};
 use crate::bits::Rounding;
 use crate::machine::register::engine::{Built, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
-use crate::machine::{EngineConfig, Step, Steps, Target, Word};
+use crate::machine::{
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
+};
 use crate::setup::VertexConfig;
 use crate::value::Channel;
 
@@ -26,6 +28,26 @@ impl EngineForm for AnchoredConfig {
     /// Its sides are exact.
     fn edge_word(&self) -> Option<Word> {
         None
+    }
+
+    fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
+        let Largest { x, y } = self.largest?;
+        let values = vec![
+            ("SORTED", (self.anchor == Anchor::LeftmostSorted).into()),
+            ("FIRST_MATCH", (self.sort == VertexSort::FirstMatch).into()),
+            ("UPPER_FIRST", (self.halves == HalfOrder::UpperFirst).into()),
+            ("LARGEST_X", x.into()),
+            ("LARGEST_Y", y.into()),
+        ];
+        let same = Self {
+            anchor: Anchor::LeftmostGiven,
+            sort: VertexSort::Stable,
+            halves: HalfOrder::FromAnchor,
+            rounding: self.rounding,
+            largest: None,
+        };
+        let wiring = RegisterConfig { engine: same.into(), ..machine.clone() };
+        Some(RegisterDevice::wired(WiredEngine::Anchored, values, &wiring))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

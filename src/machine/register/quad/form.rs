@@ -1,10 +1,13 @@
 //! The engine `quads` as a profile configures it.
 
-use super::{Descent, Emit, NAME, QuadConfig, QuadDevice, QuadEdges, QuadRule};
+use super::{Descent, Emit, NAME, QuadConfig, QuadEdges, QuadRule};
 use crate::format::Layout;
 use crate::machine::register::engine::{Built, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
-use crate::machine::{EngineConfig, Step, Steps, Target, Word, near};
+use crate::machine::{
+    EngineConfig, QuadDevice, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine,
+    Word, near,
+};
 use crate::setup::VertexConfig;
 use crate::value::Channel;
 
@@ -28,9 +31,12 @@ impl EngineForm for QuadConfig {
         Some(Word::new("edge", [("edge", self.width)], facts))
     }
 
-    fn quad_device(&self, input: &Layout) -> Option<QuadDevice> {
-        let given = matches!(self.edges, QuadEdges::Given { .. });
-        let Descent { tile, block } = self.descent.filter(|_| given && self.emit == Emit::Quads)?;
+    fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
+        if self.edges == QuadEdges::Vertices {
+            return Some(RegisterDevice::wired(WiredEngine::VertexQuads, Vec::new(), machine));
+        }
+        let input = Layout::parse(&machine.input).ok()?;
+        let Descent { tile, block } = self.descent.filter(|_| self.emit == Emit::Quads)?;
         let bits = |names: &[&str]| {
             let mut all = names.iter().map(|name| Some(input.find(name)?.bits()));
             let first = all.next()??;
@@ -38,7 +44,8 @@ impl EngineForm for QuadConfig {
         };
         let coordinate = bits(&["tile_x", "tile_y", "x_min", "x_max", "y_min", "y_max"])?;
         let edge = bits(&["a0", "b0", "c0", "a1", "b1", "c1", "a2", "b2", "c2"])?;
-        (edge >= self.width).then_some(QuadDevice { edge: self.width, tile, block, coordinate })
+        let device = QuadDevice { edge: self.width, tile, block, coordinate };
+        (edge >= self.width).then_some(RegisterDevice::Quads(device))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

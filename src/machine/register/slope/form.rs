@@ -3,7 +3,10 @@
 use super::{ClipEnds, NAME, SlopeConfig, SlopeEdges};
 use crate::machine::register::engine::{Built, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
-use crate::machine::{EngineConfig, Step, Steps, Target, Word, near_or_none};
+use crate::machine::{
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
+    near_or_none,
+};
 use crate::setup::VertexConfig;
 use crate::value::Channel;
 
@@ -27,6 +30,14 @@ impl EngineForm for SlopeConfig {
             self.edges;
         let facts = [("resolution", format!("2^-{fraction} pixel"))];
         Some(Word::new("edge", [("integer", 32 - fraction), ("fraction", fraction)], facts))
+    }
+
+    fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
+        let engine = match self.edges {
+            SlopeEdges::Divided { .. } => WiredEngine::DividedSlopes,
+            SlopeEdges::Given { .. } => WiredEngine::GivenSlopes,
+        };
+        Some(RegisterDevice::wired(engine, Vec::new(), machine))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

@@ -1,11 +1,14 @@
 //! The engine `sub-scanlines` as a profile configures it.
 
 use super::{NAME, Product, SubScanlineConfig};
+use crate::format::Layout;
 use crate::machine::register::engine::{Built, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
-use crate::machine::{EngineConfig, Step, Steps, Target, Word};
+use crate::machine::{
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
+};
 use crate::setup::VertexConfig;
-use crate::value::Channel;
+use crate::value::{Channel, ChannelConfig};
 
 impl EngineForm for SubScanlineConfig {
     fn name(&self) -> &'static str {
@@ -28,6 +31,18 @@ impl EngineForm for SubScanlineConfig {
             ("rows", "four sub-scanlines each".to_owned()),
         ];
         Some(Word::new("edge", [("guard", 2), ("integer", 10), ("fraction", 16)], facts))
+    }
+
+    fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
+        let depth = |channel: &&ChannelConfig| channel.names.contains(&self.depth);
+        let input = Layout::parse(&machine.input).ok()?;
+        let values = vec![
+            ("RESIZE", (self.product == Product::Resize).into()),
+            ("SIGNED_DISTANCE", self.signed_distance.into()),
+            ("LONG_SIGN", input.find("long_sign").is_some().into()),
+            ("DROP_Z", machine.channels.iter().find(depth)?.drop.into()),
+        ];
+        Some(RegisterDevice::wired(WiredEngine::SubScanlines, values, machine))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

@@ -165,16 +165,16 @@ impl Answer<'_> {
 
     pub(super) fn connect(&self) -> String {
         let ports = self.ports().map(|field| field.id.as_str()).chain(["valid", "ready"]);
-        // `o_valid` is the set-up's `out_valid`: its ports have no stream's name.
-        let ports: Vec<String> = ports
-            .map(|id| {
-                let port = match (self.prefix, id) {
-                    ("o_", "valid" | "ready") => format!("out_{id}"),
-                    (prefix, id) => format!("{prefix}{id}"),
-                };
-                format!("        .{port}({}{id}),\n", self.prefix)
-            })
-            .collect();
+        let ports: Vec<String> =
+            ports.map(|id| format!("        .{}({}{id}),\n", self.port(id), self.prefix)).collect();
         ports.concat()
+    }
+
+    /// The port of a signal. `o_valid` is the set-up's `out_valid`: its ports have no stream's name.
+    pub(super) fn port(&self, id: &str) -> String {
+        match (self.prefix, id) {
+            ("o_", "valid" | "ready") => format!("out_{id}"),
+            (prefix, id) => format!("{prefix}{id}"),
+        }
     }
 }
