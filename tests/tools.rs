@@ -20,27 +20,10 @@ use std::process::{Command, Stdio};
 use std::time::Duration;
 use tool::{Tool, Z3};
 
-const CHROMIUM: Tool = Tool {
-    name: "chromium",
-    programs: &["chromium", "chromium-browser", "google-chrome"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install chromium",
-};
-const GAPPA: Tool = Tool {
-    name: "gappa",
-    programs: &["gappa"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install gappa",
-};
-const SHELLCHECK: Tool = Tool {
-    name: "shellcheck",
-    programs: &["shellcheck"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install shellcheck",
-};
+const CHROMIUM: Tool =
+    Tool::other(&["chromium", "chromium-browser", "google-chrome"], "apt-get install chromium");
+const GAPPA: Tool = Tool::other(&["gappa"], "apt-get install gappa");
+const SHELLCHECK: Tool = Tool::other(&["shellcheck"], "apt-get install shellcheck");
 /// Its packages bring the programs of a node, of a user and of munge, too.
 const SLURM: Tool = Tool {
     name: "slurm",
@@ -51,27 +34,9 @@ const SLURM: Tool = Tool {
     package: "apt-get install slurmctld slurmd slurm-client munge",
 };
 
-const GCC: Tool = Tool {
-    name: "gcc",
-    programs: &["gcc", "cc", "clang"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install gcc",
-};
-const CPP: Tool = Tool {
-    name: "g++",
-    programs: &["g++", "c++", "clang++"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install g++",
-};
-const PYTHON: Tool = Tool {
-    name: "python3",
-    programs: &["python3"],
-    version: "--version",
-    hardware: false,
-    package: "apt-get install python3",
-};
+const GCC: Tool = Tool::other(&["gcc", "cc", "clang"], "apt-get install gcc");
+const CPP: Tool = Tool::other(&["g++", "c++", "clang++"], "apt-get install g++");
+const PYTHON: Tool = Tool::other(&["python3"], "apt-get install python3");
 
 fn main() {
     let trials = vec![

@@ -345,7 +345,13 @@ pub(crate) fn left_out(_: &str) {
             "clamp is saturate",
             " setup rows=",
         ),
-        ("sgi-4k-walk", vec![], "setup triangle", "there is no device for edge-walk", "dda rows="),
+        (
+            "sgi-4k-walk",
+            vec![],
+            "setup triangle",
+            "the devices draw edge functions over a box, and the machine is edge-walk",
+            "dda rows=",
+        ),
         (
             "d3d11",
             vec![],

@@ -20,43 +20,28 @@ pub(crate) struct Tool {
 }
 
 /// The programs that more than one test file runs.
-pub(crate) const ICARUS: Tool = Tool {
-    name: "iverilog",
-    programs: &["iverilog"],
-    version: "-V",
-    hardware: true,
-    package: "apt-get install iverilog",
-};
-pub(crate) const VERILATOR: Tool = Tool {
-    name: "verilator",
-    programs: &["verilator"],
-    version: "--version",
-    hardware: true,
-    package: "apt-get install verilator",
-};
-pub(crate) const GHDL: Tool = Tool {
-    name: "ghdl",
-    programs: &["ghdl"],
-    version: "--version",
-    hardware: true,
-    package: "apt-get install ghdl",
-};
-pub(crate) const YOSYS: Tool = Tool {
-    name: "yosys",
-    programs: &["yosys"],
-    version: "-V",
-    hardware: true,
-    package: "apt-get install yosys",
-};
-pub(crate) const Z3: Tool = Tool {
-    name: "z3",
-    programs: &["z3"],
-    version: "--version",
-    hardware: true,
-    package: "apt-get install z3",
-};
+pub(crate) const ICARUS: Tool = Tool::hardware(&["iverilog"], "-V", "apt-get install iverilog");
+pub(crate) const VERILATOR: Tool =
+    Tool::hardware(&["verilator"], "--version", "apt-get install verilator");
+pub(crate) const GHDL: Tool = Tool::hardware(&["ghdl"], "--version", "apt-get install ghdl");
+pub(crate) const YOSYS: Tool = Tool::hardware(&["yosys"], "-V", "apt-get install yosys");
+pub(crate) const Z3: Tool = Tool::hardware(&["z3"], "--version", "apt-get install z3");
 
 impl Tool {
+    /// A tool of hardware design, with one program of its name.
+    pub(crate) const fn hardware(
+        programs: &'static [&'static str],
+        version: &'static str,
+        package: &'static str,
+    ) -> Self {
+        Self { name: programs[0], programs, version, hardware: true, package }
+    }
+
+    /// Another tool, named after the first of its programs.
+    pub(crate) const fn other(programs: &'static [&'static str], package: &'static str) -> Self {
+        Self { name: programs[0], programs, version: "--version", hardware: false, package }
+    }
+
     /// The first of its programs that this machine has.
     pub(crate) fn program(&self) -> Option<&'static str> {
         self.programs.iter().copied().find(|program| {

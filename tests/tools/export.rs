@@ -87,36 +87,30 @@ fn agree(language: &str, cases: u64, build: impl Fn(&Path, &str) -> [String; 2])
 
 const CHECKS: &str = "-O2 -Wall -Wextra -Wconversion -Wpedantic -Werror -fsanitize=undefined -fno-sanitize-recover=all";
 
-fn c(compiler: &str, cases: u64) {
-    agree("c", cases, |home, id| {
+/// The references in C or C++, compiled for a standard.
+fn compiled(compiler: &str, language: &str, standard: &str, cases: u64) {
+    let of_file = if language == "cpp" { "c++" } else { "c" };
+    agree(language, cases, |home, id| {
         let main = id.to_uppercase();
-        let _ = run(
-            home,
-            &format!("{compiler} -std=c99 {CHECKS} -D{main}_MAIN -o {id}.run -x c {id}.c"),
+        let build = format!(
+            "{compiler} -std={standard} {CHECKS} -D{main}_MAIN -o {id}.run -x {of_file} {id}.{language}"
         );
-        [format!("./{id}.run"), format!("./{id}.run SEED CASES")]
-            .map(|line| line.replacen("./", &format!("{}/", home.display()), 1))
+        let _ = run(home, &build);
+        let program = format!("{}/{id}.run", home.display());
+        [program.clone(), format!("{program} SEED CASES")]
     });
 }
 
 pub(crate) fn c_agrees(compiler: &str) {
-    c(compiler, 20_000);
+    compiled(compiler, "c", "c99", 20_000);
 }
 
 pub(crate) fn c_agrees_on_a_million(compiler: &str) {
-    c(compiler, 1_000_000);
+    compiled(compiler, "c", "c99", 1_000_000);
 }
 
 pub(crate) fn cpp_agrees(compiler: &str) {
-    agree("cpp", 20_000, |home, id| {
-        let main = id.to_uppercase();
-        let _ = run(
-            home,
-            &format!("{compiler} -std=c++17 {CHECKS} -D{main}_MAIN -o {id}.run -x c++ {id}.cpp"),
-        );
-        [format!("./{id}.run"), format!("./{id}.run SEED CASES")]
-            .map(|line| line.replacen("./", &format!("{}/", home.display()), 1))
-    });
+    compiled(compiler, "cpp", "c++17", 20_000);
 }
 
 pub(crate) fn python_agrees(python: &str) {

@@ -64,7 +64,9 @@ impl Devices {
 fn drawn(profile: &Profile) -> Result<(EdgeWordConfig, DepthConfig), String> {
     let machine = profile.form.engine();
     let Some(edge) = profile.form.edge().filter(|_| profile.form.visits_the_box()) else {
-        return Err(format!("there is no device for {machine}"));
+        return Err(format!(
+            "the devices draw edge functions over a box, and the machine is {machine}"
+        ));
     };
     if profile.multisample.is_some() {
         return Err("no device takes several samples in a pixel, as [multisample] asks".to_owned());
