@@ -64,7 +64,7 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
     if arguments.map_template {
         let folder =
             tempfile::tempdir().map_err(|error| Failure::io("a temporary folder", &error))?;
-        let (module, ports) = ports(&arguments.rtl, folder.path(), limit)?;
+        let (module, ports) = ports(block, &arguments.rtl, folder.path(), limit)?;
         output.text(Map::template(block, &module, &ports))?;
         output.flush()?;
         return Ok(Outcome::Good);

@@ -112,7 +112,11 @@ fn compare(
 fn summary(reports: &[DumpReport], output: &mut Output) -> Result<(), Failure> {
     output.line("== summary")?;
     for report in reports {
-        let verdict = if report.total == 0 { "agrees" } else { "differs" };
+        let verdict = match report {
+            DumpReport { total: 0, .. } => "agrees",
+            DumpReport { short: true, disagrees: false, .. } => "agrees as far as it goes; rows are missing",
+            _ => "differs",
+        };
         let Placed { modules, .. } = &report.placed;
         let place = match modules.first() {
             Some(module) => format!("; placed: {module}"),

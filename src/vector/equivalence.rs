@@ -172,18 +172,20 @@ fn io(path: &Path) -> impl FnOnce(std::io::Error) -> EquivalenceError {
     |source| EquivalenceError::Io { path, source }
 }
 
-/// The module that no other has in it, and its ports, as yosys reads them.
+/// The module of a unit's name, or else the one that no other has in it, and its ports, as yosys reads them.
 ///
 /// # Errors
 /// [`EquivalenceError`] if yosys is missing or does not read the files.
 pub fn ports(
+    block: Block,
     rtl: &[PathBuf],
     folder: &Path,
     limit: Duration,
 ) -> Result<(String, Vec<Port>), EquivalenceError> {
     let work = Work { folder, limit };
     let (read, _) = work.sources(rtl, None, &[])?;
-    work.ports(&read, None, &[])
+    let named = work.ports(&read, Some(block.module()), &[]);
+    named.or_else(|_| work.ports(&read, None, &[]))
 }
 
 /// Asks the tools.
@@ -200,11 +202,15 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         Block::Dda => [read.width(), read.integer()],
         Block::EdgeStepper => [edge.width(), 1],
     });
-    let own = Map::of_devices(block, &signals, registers);
-    let map = question.map.unwrap_or(&own);
-    map.is_spelt()?;
+    let mut own = Map::of_devices(block, &signals, registers);
+    question.map.map_or(Ok(()), Map::is_spelt)?;
     std::fs::create_dir(folder).map_err(io(folder))?;
     let work = Work { folder, limit };
+    if question.map.is_none() && !work.has_parameters(rtl, &own.module, &own.parameters)? {
+        // A module of this profile alone, with the ports of the devices.
+        own.parameters.clear();
+    }
+    let map = question.map.unwrap_or(&own);
     let parameters: Vec<(String, i64)> = map.parameters.clone().into_iter().collect();
     let (device, parameters) = work.sources(rtl, Some(&map.module), &parameters)?;
     let (_, ports) = work.ports(&device, Some(&map.module), parameters)?;

@@ -1733,6 +1733,8 @@ module triangle_check (
                 span_file.last;
                 sample_file.last;
                 triangle_file.last;
+                    if (mismatches != 0 && !any_order)
+                        $display("HINT triangle: rows are compared in the order of the files; for an engine with an order of its own, +anyorder");
                     done = 1'b1;
                 end
                 else if (quiet > PATIENCE) begin
@@ -1748,6 +1750,8 @@ module triangle_check (
                     {triangle_line, triangle_picked} = triangle_open[0];
                     $display("MISMATCH triangle (triangle.exp.tv line %0d): this row and %0d others of the tests so far are missing", triangle_line, triangle_open.size() - 1);
                 end
+                    if (mismatches != 0 && !any_order)
+                        $display("HINT triangle: rows are compared in the order of the files; for an engine with an order of its own, +anyorder");
                     $display("FAIL triangle: no transfer for %0d clocks, %0d of %0d records taken", quiet, cfg_file.line - 64'(in_valid), TRIANGLE_CFG_ROWS);
                     $fatal(1, "the device hangs, or rows are missing");
                 end
@@ -1785,6 +1789,8 @@ module tb;
 
     always @(posedge clk)
         if (dda_done && edge_done && setup_done && triangle_done) begin
+            if ($test$plusargs("dump"))
+                $display("NOTE +dump: walks do not stall, and nothing is reset in the middle; run the bench without it, too");
             if (dda_mismatches != 0 || edge_mismatches != 0 || setup_mismatches != 0 || triangle_mismatches != 0) begin
                 $display("FAIL dda rows=%0d edge rows=%0d setup rows=%0d triangle rows=%0d mismatches=%0d", dda_rows, edge_rows, setup_rows, triangle_rows, dda_mismatches + edge_mismatches + setup_mismatches + triangle_mismatches);
                 $fatal(1, "device and vectors disagree");

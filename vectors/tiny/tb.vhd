@@ -1414,6 +1414,9 @@ begin
             clk <= not clk;
             wait for 1 ns;
         end loop;
+        if DUMP then
+            say("NOTE DUMP: walks do not stall, and nothing is reset in the middle; run the bench without it, too");
+        end if;
         if dda_mismatches /= 0 or edge_mismatches /= 0 or setup_mismatches /= 0 or triangle_mismatches /= 0 then
             fail("dda rows=" & decimal(dda_rows) & " edge rows=" & decimal(edge_rows) & " setup rows=" & decimal(setup_rows) & " triangle rows=" & decimal(triangle_rows) & " mismatches=" & decimal(dda_mismatches + edge_mismatches + setup_mismatches + triangle_mismatches) & "");
         end if;

@@ -72,7 +72,7 @@ const COPY: u8 = 16;
 
 /// Most changes of one module that count as one thing said in several ways: no row of the set tells
 /// them apart.
-const RIVALS: usize = 4;
+const RIVALS: usize = 6;
 
 /// Looks for the cause among the suspects of the bench: what explains every row of every dump.
 /// Modules in `sound` have been found right by a bench of their own.
@@ -113,7 +113,10 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
         named.retain(|(rank, ..)| *rank < COPY);
     }
     let module = |place: Option<(&'static str, &'static str)>| place.map(|(module, _)| module);
-    let together = named.iter().all(|(.., place)| module(*place) == module(named[0].2));
+    // A decision of the profile has no module, and a fault that does the same is one way to it.
+    let mut modules: Vec<&str> = named.iter().filter_map(|(.., place)| module(*place)).collect();
+    modules.dedup();
+    let together = modules.len() <= 1;
     let sure = named.len() == 1 || together && (1..=RIVALS).contains(&named.len());
     let named = named.into_iter().map(|(_, change, place)| (change, place)).collect();
     Causes { named, sure, tried, lost }

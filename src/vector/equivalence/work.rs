@@ -2,6 +2,7 @@
 
 use super::tool::{self, Ran};
 use super::{EquivalenceError, Port, io, netlist};
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -109,6 +110,21 @@ impl Work<'_> {
         let ran = self.run_into("ghdl", &arguments, ("ghdl.log", Some("device.v")))?;
         self.good("ghdl", ran, "ghdl.log")?;
         Ok((format!("{read} device.v"), &[]))
+    }
+
+    /// Whether a module has all of these parameters; VHDL is asked nothing, and said to have them.
+    pub(super) fn has_parameters(
+        &self,
+        rtl: &[PathBuf],
+        module: &str,
+        parameters: &BTreeMap<String, i64>,
+    ) -> Result<bool, EquivalenceError> {
+        let listed: Vec<(String, i64)> = parameters.clone().into_iter().collect();
+        let (read, listed) = self.sources(rtl, Some(module), &listed)?;
+        match self.ports(&read, Some(module), listed) {
+            Err(EquivalenceError::Tool { words, .. }) if words.contains("defparam") => Ok(false),
+            other => other.map(|_| true),
+        }
     }
 
     /// A module's ports; without a name, of the one that no other has in it.

@@ -281,6 +281,7 @@ impl Stream<'_> {
                     ),
                 ),
                 ("MISSING", &each(&|answer| answer.keyed(MISSING))),
+                ("HINT", order(HINT)),
                 ("PARAMETERS", &self.parameters()),
                 ("ANSWERS", &each(&|answer| answer.declare(self.name))),
                 ("INPUTS", &inputs.concat()),
@@ -359,6 +360,10 @@ impl Stream<'_> {
 
 const ORDER_HELP: &str = "// +anyorder takes the rows of a test in any order, each matched by its key; +fileorder takes them in
 // the order of the files.
+";
+
+const HINT: &str = "                    if (mismatches != 0 && !any_order)
+                        $display(\"HINT @HALF@: rows are compared in the order of the files; for an engine with an order of its own, +anyorder\");
 ";
 
 const ORDER_START: &str = "        any_order = @DEFAULT@;

@@ -9,6 +9,7 @@ use super::stepper::{self, Stepper};
 use crate::case::engine::Engine as Widths;
 use crate::format::ReadOut;
 use crate::model::Span;
+pub(super) use plane::remembers;
 use plane::{DEPTH, EDGE, Plane};
 
 /// A plain engine.
@@ -33,6 +34,8 @@ pub(super) struct Answer {
 pub(super) struct Kept {
     spans: i128,
     samples: i128,
+    /// Words of the steppers down the side and along a row: of three edges and of depth.
+    planes: [[i128; 2]; 4],
 }
 
 /// Bits of a pixel coordinate.
@@ -121,13 +124,13 @@ impl Engine {
             let flat =
                 path.compare("an empty box: top and bottom", top, Relation::GreaterOrEqual, bottom);
             let done = path.when("nothing to draw", nothing || narrow || flat);
+            let triple = |k: usize| [held[3 * k], held[3 * k + 1], held[3 * k + 2]];
+            let plane = |k: usize, (stepper, parts)| {
+                Plane::new(path, (stepper, parts), triple(k), [left, top], kept.planes[k])
+            };
+            let mut edges = [0, 1, 2].map(|k| plane(k, (edge, &EDGE)));
+            let mut plane = read.map(|read| plane(3, (Stepper::depth(read), &DEPTH)));
             if !done {
-                let triple = |k: usize| [held[k], held[k + 1], held[k + 2]];
-                let mut edges =
-                    [0, 3, 6].map(|k| Plane::new(path, (edge, &EDGE), triple(k), [left, top]));
-                let mut plane = read.map(|read| {
-                    Plane::new(path, (Stepper::depth(read), &DEPTH), triple(9), [left, top])
-                });
                 let patience = PATIENCE + 2 * (x1 - x0).max(0) * (y1 - y0).max(0);
                 self.walk(
                     path,
@@ -136,6 +139,9 @@ impl Engine {
                     ([left, right, top, bottom], patience),
                     &mut answer,
                 )?;
+            }
+            for (kept, plane) in kept.planes.iter_mut().zip(edges.iter().chain(&plane)) {
+                *kept = [plane.side, plane.run];
             }
             answer.span_count =
                 u64::try_from(path.word("the count of spans", kept.spans, 32)).ok()?;
@@ -173,9 +179,11 @@ impl Engine {
                 inside && !path.when("no sample beyond the right side", at_end),
             );
             let closes = path.when("a run ends", in_run && !covered);
-            if covered {
+            if path.when("a sample is counted", covered) {
                 kept.samples =
                     path.sum("the counter of samples", Operator::Add, [kept.samples, 1], 32);
+            }
+            if covered {
                 if path.when("a run begins", !in_run) {
                     first = x;
                 }
@@ -192,8 +200,10 @@ impl Engine {
                     ));
                 }
             }
-            if closes {
+            if path.when("a run is counted", closes) {
                 kept.spans = path.sum("the counter of spans", Operator::Add, [kept.spans, 1], 32);
+            }
+            if closes {
                 let [first, x] = [first, x].map(|x| path.number("columns of samples and runs", x));
                 let y = path.number("rows of samples and runs", y);
                 let begin = path.word("the left end of a run", first, PIXEL);

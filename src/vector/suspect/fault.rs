@@ -44,8 +44,8 @@ pub(super) enum Wrong {
     Instead(usize, usize),
     /// Each of four codes is taken for another.
     Map([usize; 4]),
-    /// What two codes are decoded to.
-    Decoded([usize; 2]),
+    /// What three codes are decoded to.
+    Decoded([usize; 3]),
     /// Two operands have changed places.
     Exchanged(usize, usize),
     /// Any one of several conditions is enough.
@@ -305,13 +305,13 @@ impl Path {
         }
     }
 
-    /// What the first or the second of two codes is decoded to.
+    /// What one of three codes is decoded to.
     pub(super) fn decoded(
         &self,
         name: &'static str,
         code: usize,
-        right: [usize; 2],
-        (codes, names): ([&'static str; 2], [&'static str; 4]),
+        right: [usize; 3],
+        (codes, names): ([&'static str; 3], [&'static str; 4]),
     ) -> usize {
         match self.at(name, || Kind::Decoded(codes, right, names)) {
             Some(Wrong::Decoded(map)) => map[code],

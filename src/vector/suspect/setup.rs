@@ -121,7 +121,8 @@ fn unit(model: &Model) -> Unit<'_> {
     };
     let field = &model.ports().input[0];
     let columns = &model.ports().setup;
-    Unit { edge, depth, grid: grid(model), coordinate: field.width, columns }
+    let signed = model.profile().vertex.signed;
+    Unit { edge, depth, grid: grid(model), coordinate: field.width, signed, columns }
 }
 
 /// A plain unit with a fault.

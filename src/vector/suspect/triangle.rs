@@ -1,6 +1,6 @@
 //! Suspects of a triangle engine.
 
-use super::engine::{COUNTERS, Engine, Kept};
+use super::engine::{COUNTERS, Engine, Kept, remembers};
 use super::fault::{Fault, Path};
 use super::setup::NO_SWAP;
 use super::{Suspect, Suspects};
@@ -42,7 +42,8 @@ impl Suspects for TriangleBench {
                 };
                 let suspect = Suspect::at(self, &fault, device);
                 // Counters go on counting where they are not set to zero.
-                let forgets = suspect.forgets && !COUNTERS.contains(&fault.site);
+                let forgets =
+                    suspect.forgets && !COUNTERS.contains(&fault.site) && !remembers(fault.site);
                 list.push(Suspect { forgets, ..suspect });
             }
         }

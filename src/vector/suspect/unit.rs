@@ -4,7 +4,7 @@
 
 mod plane;
 
-use super::fault::{Operator, Path, Relation};
+use super::fault::{Operator, Path, Relation, low_ones, sign_extend};
 use crate::cover::{EdgeStorage, EdgeWordConfig, SampleGrid};
 use crate::format::Column;
 use crate::setup::Triangle;
@@ -15,8 +15,9 @@ pub(super) struct Unit<'a> {
     pub(super) edge: EdgeWordConfig,
     pub(super) depth: &'a Depth,
     pub(super) grid: SampleGrid,
-    /// Bits of a coordinate.
+    /// Bits of a coordinate, and whether it has a sign.
     pub(super) coordinate: u32,
+    pub(super) signed: bool,
     /// The columns that it answers.
     pub(super) columns: &'a [Column],
 }
@@ -27,6 +28,7 @@ type Three = [&'static str; 3];
 const VERTEX_X: Three = ["v0_x", "v1_x", "v2_x"];
 const VERTEX_Y: Three = ["v0_y", "v1_y", "v2_y"];
 const VERTEX_Z: Three = ["v0_z", "v1_z", "v2_z"];
+const ABOVE_Z: Three = ["the bit above v0_z", "the bit above v1_z", "the bit above v2_z"];
 const EDGE_FROM_X: Three =
     ["x that edge 0 begins at", "x that edge 1 begins at", "x that edge 2 begins at"];
 const EDGE_FROM_Y: Three =
@@ -97,11 +99,25 @@ impl Unit<'_> {
 
     fn set_up(&self, path: &Path, triangle: &Triangle, z: [i128; 3]) -> Vec<i128> {
         let bits = self.coordinate;
-        let coordinate = |name: &'static str, value: i128| path.signed(name, value, bits + 1);
-        let mut x = [0, 1, 2].map(|k| coordinate(VERTEX_X[k], triangle.xy[k][0]));
-        let mut y = [0, 1, 2].map(|k| coordinate(VERTEX_Y[k], triangle.xy[k][1]));
+        let signed = path.when("coordinates have a sign", self.signed);
+        let extended = |value| {
+            if signed { sign_extend(value, bits) } else { value & low_ones(bits) }
+        };
+        let coordinate = |name: &'static str, value| path.signed(name, extended(value), bits + 1);
         let depth_bits = self.depth.read_out().integer();
-        let mut z = [0, 1, 2].map(|k| path.word(VERTEX_Z[k], z[k], depth_bits));
+        let taken: [[i128; 3]; 3] = [
+            [0, 1, 2].map(|k| coordinate(VERTEX_X[k], triangle.xy[k][0])),
+            [0, 1, 2].map(|k| coordinate(VERTEX_Y[k], triangle.xy[k][1])),
+            [0, 1, 2].map(|k| {
+                let above = path.only(ABOVE_Z[k], ("zero", 0), [("one", 1i128)]);
+                path.word(VERTEX_Z[k], z[k], depth_bits) - (above << depth_bits)
+            }),
+        ];
+        let held: [(&'static str, i128); 9] = std::array::from_fn(|n| {
+            ([VERTEX_X, VERTEX_Y, VERTEX_Z][n / 3][n % 3], taken[n / 3][n % 3])
+        });
+        let holds = |n: usize| path.choose("which part of a vertex is held", n, held);
+        let [mut x, mut y, mut z] = [0, 3, 6].map(|n| [holds(n), holds(n + 1), holds(n + 2)]);
         let side = |names: [&'static str; 3], v: [i128; 3], from: usize, other: i128| {
             difference(path, names, v, [from, 0], other, bits + 2)
         };
@@ -118,7 +134,14 @@ impl Unit<'_> {
             [("the area", area2), ("minus the area", area2.wrapping_neg())],
         );
         let zero = path.compare("no area", area2, Relation::Equal, 0);
-        let exchanged = |name, v: [i128; 3], second: bool| {
+        // The exchange can leave out a part of the vertices.
+        let [turns_x, turns_y, turns_z] = [
+            "the exchange of two vertices takes x along",
+            "the exchange of two vertices takes y along",
+            "the exchange of two vertices takes z along",
+        ]
+        .map(|name| path.when(name, turned));
+        let exchanged = |turned, name, v: [i128; 3], second: bool| {
             let own = ("vertex 1", v[1]);
             let other = ("vertex 2", v[2]);
             let operands = if second { [other, own] } else { [own, other] };
@@ -126,18 +149,18 @@ impl Unit<'_> {
         };
         x = [
             x[0],
-            exchanged("x of the second vertex after the exchange", x, false),
-            exchanged("x of the third vertex after the exchange", x, true),
+            exchanged(turns_x, "x of the second vertex after the exchange", x, false),
+            exchanged(turns_x, "x of the third vertex after the exchange", x, true),
         ];
         y = [
             y[0],
-            exchanged("y of the second vertex after the exchange", y, false),
-            exchanged("y of the third vertex after the exchange", y, true),
+            exchanged(turns_y, "y of the second vertex after the exchange", y, false),
+            exchanged(turns_y, "y of the third vertex after the exchange", y, true),
         ];
         z = [
             z[0],
-            exchanged("z of the second vertex after the exchange", z, false),
-            exchanged("z of the third vertex after the exchange", z, true),
+            exchanged(turns_z, "z of the second vertex after the exchange", z, false),
+            exchanged(turns_z, "z of the third vertex after the exchange", z, true),
         ];
         let mut words = Vec::new();
         for k in 0..3 {
@@ -215,6 +238,11 @@ impl Unit<'_> {
         let b = path.only(STEP_B[k], own_b, [own_a, ("fx - tx", b.wrapping_neg())]);
         let steps = [("a", a), ("b", b)];
         let [a, b] = [0, 1].map(|pick| path.choose("steps a and b of every edge", pick, steps));
-        [value >> shift.clamp(0, 100), a << scale, b << scale]
+        let low = shift.clamp(0, 100);
+        // The bias belongs before the shift (clause `C-4`).
+        let early = ((value + bias) >> low) - bias;
+        let near = [("after the shift", early)];
+        let value = path.only("the bias of an edge word", ("before the shift", value >> low), near);
+        [value, a << scale, b << scale]
     }
 }

@@ -13,7 +13,7 @@ pub(super) struct Plane<'p> {
     words: [i128; 3],
     /// Left side of the box.
     x: i128,
-    side: i128,
+    pub(super) side: i128,
     pub(super) run: i128,
 }
 
@@ -32,6 +32,7 @@ pub(super) struct Parts {
     down_sum: &'static str,
     row: &'static str,
     row_from: &'static str,
+    loaded: &'static str,
     side_moves: &'static str,
     run_moves: &'static str,
     run_steps: &'static str,
@@ -52,6 +53,7 @@ pub(super) const EDGE: Parts = Parts {
     down_sum: "the edge word at the corner, down",
     row: "the edge word of the next row",
     row_from: "what an edge's row begins from",
+    loaded: "what an edge's row is loaded with",
     side_moves: "operation of an edge's left side",
     run_moves: "operation along an edge's row",
     run_steps: "what an edge steps by along a row",
@@ -72,6 +74,7 @@ pub(super) const DEPTH: Parts = Parts {
     down_sum: "the depth at the corner, down",
     row: "the depth of the next row",
     row_from: "what a depth row begins from",
+    loaded: "what a depth row is loaded with",
     side_moves: "operation of the depth's left side",
     run_moves: "operation along a depth row",
     run_steps: "what depth steps by along a row",
@@ -79,26 +82,16 @@ pub(super) const DEPTH: Parts = Parts {
 };
 
 impl<'p> Plane<'p> {
-    /// At the corner of the box.
+    /// At the corner of the box; the steppers hold what the record before has left in them.
     pub(super) fn new(
         path: &'p Path,
         (stepper, parts): (Stepper, &'static Parts),
         words: [i128; 3],
-        corner: [i128; 2],
-    ) -> Self {
-        path.within(parts.module, || Self::at_corner(path, (stepper, parts), words, corner))
-    }
-
-    fn at_corner(
-        path: &'p Path,
-        (stepper, parts): (Stepper, &'static Parts),
-        words: [i128; 3],
         [x, y]: [i128; 2],
+        [side, run]: [i128; 2],
     ) -> Self {
-        let mut plane = Self { path, stepper, parts, words, x, side: 0, run: 0 };
-        let corner = plane.corner(y);
-        plane.side = plane.clock(plane.side, Op::Load, corner, true);
-        plane.run = plane.clock(plane.run, Op::Load, corner, false);
+        let mut plane = Self { path, stepper, parts, words, x, side, run };
+        path.within(parts.module, || plane.moves(CORNER, y));
         plane
     }
 
@@ -141,22 +134,27 @@ impl<'p> Plane<'p> {
     /// A clock with a code of the engine: both registers take what they see before it.
     fn moves(&mut self, code: usize, y: i128) {
         let Self { path, parts, words: [.., dy], .. } = *self;
-        let codes = ["after a sample", "at the end of a row"];
+        let codes = ["at the corner", "after a sample", "at the end of a row"];
         let names = ["a load", "a step right", "a step down", "a hold"];
-        let operation = |name, right: [Op; 2]| {
+        let operation = |name, right: [Op; 3]| {
             let right = right.map(|op| op as usize);
             Op::from_code(path.decoded(name, code, right, (codes, names)) as u64)
         };
-        let side = operation(parts.side_moves, [Op::Hold, Op::StepY]);
-        let run = operation(parts.run_moves, [Op::StepX, Op::Load]);
-        let left = if run == Op::Load {
+        let side = operation(parts.side_moves, [Op::Load, Op::Hold, Op::StepY]);
+        let run = operation(parts.run_moves, [Op::Load, Op::StepX, Op::Load]);
+        let pick = usize::from(code != CORNER);
+        let sources = [("the word at the corner", true), ("the left side and dy", false)];
+        let of_corner = run == Op::Load && path.choose(parts.loaded, pick, sources);
+        let corner = if side == Op::Load || of_corner { self.corner(y) } else { 0 };
+        let left = if of_corner {
+            corner
+        } else if run == Op::Load {
             let near = [("the end of the row above", self.run)];
             let from = path.only(parts.row_from, ("the left side", self.side), near);
             path.sum(parts.row, Operator::Add, [from, dy], self.stepper.width)
         } else {
             0
         };
-        let corner = if side == Op::Load { self.corner(y) } else { 0 };
         if side != Op::Hold {
             self.side = self.clock(self.side, side, corner, true);
         }
@@ -165,5 +163,13 @@ impl<'p> Plane<'p> {
 }
 
 /// Codes of the engine.
-const SAMPLE: usize = 0;
-const ROW: usize = 1;
+const CORNER: usize = 0;
+const SAMPLE: usize = 1;
+const ROW: usize = 2;
+
+/// Where a fault can leave what the record before has left: it then has to be followed from the first record on.
+pub(in crate::vector::suspect) fn remembers(site: &str) -> bool {
+    [&EDGE, &DEPTH]
+        .iter()
+        .any(|parts| [parts.loaded, parts.side_moves, parts.run_moves].contains(&site))
+}

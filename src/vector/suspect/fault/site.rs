@@ -21,8 +21,8 @@ pub(super) enum Kind {
     Choice(Vec<&'static str>, usize),
     /// A code of four.
     Code([&'static str; 4]),
-    /// What two codes, by name, are decoded to: which of four.
-    Decoded([&'static str; 2], [usize; 2], [&'static str; 4]),
+    /// What three codes, by name, are decoded to: which of four.
+    Decoded([&'static str; 3], [usize; 3], [&'static str; 4]),
     /// So many conditions that must all hold.
     All(usize),
 }
@@ -115,7 +115,8 @@ impl Site {
                 );
             }
             Kind::Decoded(codes, right, names) => {
-                let maps = (0..16).map(|map| [map & 3, map >> 2]).filter(|map| map != right);
+                let maps = (0..64).map(|map| [map & 3, map >> 2 & 3, map >> 4]);
+                let maps = maps.filter(|map| map != right);
                 list.extend(maps.map(|map| {
                     let text = decoded(*codes, [map, *right], *names);
                     fault(Wrong::Decoded(map), format!("{name}: {text}"))
@@ -138,9 +139,9 @@ impl Site {
     }
 }
 
-/// What two codes are decoded to, and what belongs there.
-fn decoded(codes: [&str; 2], [map, right]: [[usize; 2]; 2], names: [&str; 4]) -> String {
-    let changed = (0..2).filter(|code| map[*code] != right[*code]);
+/// What codes are decoded to, and what belongs there.
+fn decoded(codes: [&str; 3], [map, right]: [[usize; 3]; 2], names: [&str; 4]) -> String {
+    let changed = (0..3).filter(|code| map[*code] != right[*code]);
     let changes = changed.map(|code| {
         let [is, belongs] = [map[code], right[code]].map(|n| names[n]);
         format!("{is} where {belongs} {} belongs", codes[code])

@@ -6,6 +6,11 @@ use crate::vector::suspect::fault::{Operator, Path, Relation};
 
 const NUMERATORS: Three =
     ["numerator of depth_init", "numerator of depth_dx", "numerator of depth_dy"];
+const SHIFTS: Three = [
+    "direction of the shift of the numerator of depth_init",
+    "direction of the shift of the numerator of depth_dx",
+    "direction of the shift of the numerator of depth_dy",
+];
 const SCALES: Three = [
     "left shift of the numerator of depth_init",
     "left shift of the numerator of depth_dx",
@@ -54,7 +59,10 @@ impl Unit<'_> {
                 path.number("left shift of the numerators of both slopes", scale)
             };
             path.within("setup_divider", || {
-                self.divide(path, numerator << slopes.clamp(0, 64), area)
+                let (left, right) =
+                    (numerator << slopes.clamp(0, 64), numerator >> slopes.clamp(0, 64));
+                let numerator = path.only(SHIFTS[k], ("left", left), [("right", right)]);
+                self.divide(path, numerator, area)
             })
         });
         let bias = path.number("the start's half step", self.depth.start_bias());
@@ -129,10 +137,13 @@ impl Unit<'_> {
         let up = path.when("the quotient is rounded up", up);
         let magnitude =
             path.sum("the sum that rounds the quotient", Operator::Add, [q, i128::from(up)], 8);
+        let near = [("its complement", !magnitude)];
+        let minus = ("two's complement", magnitude.wrapping_neg());
+        let negated = path.only("the negative quotient", minus, near);
         path.choose(
             "the quotient's sign",
             usize::from(negative),
-            [("plus", magnitude), ("minus", magnitude.wrapping_neg())],
+            [("plus", magnitude), ("minus", negated)],
         )
     }
 }
