@@ -114,7 +114,9 @@ fn summary(reports: &[DumpReport], output: &mut Output) -> Result<(), Failure> {
     for report in reports {
         let verdict = match report {
             DumpReport { total: 0, .. } => "agrees",
-            DumpReport { short: true, disagrees: false, .. } => "agrees as far as it goes; rows are missing",
+            DumpReport { short: true, disagrees: false, .. } => {
+                "agrees as far as it goes; rows are missing"
+            }
             _ => "differs",
         };
         let Placed { modules, .. } = &report.placed;

@@ -198,9 +198,12 @@ impl Seen {
     fn finish(mut self, columns: &[Column]) -> Observed {
         let mut differing = (0..columns.len()).filter(|k| self.rows[*k] > 0).peekable();
         let moved = self.observed.missing + self.observed.extra > 0;
-        // A device that answers something else in its place tells with it what it does right.
+        // A device that answers something else besides tells with it what it does right. What a record itself
+        // says is no answer.
         let alive = (self.key..columns.len()).any(|k| {
-            let answers = self.compared[k] && columns[k].name != Role::OP.pattern;
+            let told =
+                [Role::OP, Role::ZERO_AREA].iter().any(|role| columns[k].name == role.pattern);
+            let answers = self.compared[k] && !told;
             answers && self.constant[k].is_none()
         });
         self.observed.trivial = !moved
