@@ -224,9 +224,12 @@ fn describe(report: &DumpReport, output: &mut Output) -> Result<(), Failure> {
         output.line(format!("  never: {}", observed.agree.join(" ")))?;
     }
     if observed.missing + observed.extra > 0 {
+        let facts = observed.extra_facts.iter().map(|fact| format!(", {fact}"));
         output.line(format!(
-            "  {} rows missing, {} rows too many",
-            observed.missing, observed.extra
+            "  {} rows missing, {} rows too many{}",
+            observed.missing,
+            observed.extra,
+            facts.collect::<String>()
         ))?;
     }
     let classes: Vec<String> =

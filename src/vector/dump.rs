@@ -263,7 +263,7 @@ fn diagnose(judged: &mut [Judged]) {
             judged.iter().filter(|judged| judged.subject.bench.name() == name).collect();
         let differing: Vec<&Judged> =
             all.iter().copied().filter(|judged| judged.report.disagrees).collect();
-        let causes = explain::causes(&all, &sound);
+        let causes = explain::causes(&all, &sound, &broken);
         let placed = place::place((&differing, &all), &causes, &sound, &broken);
         let trivial = differing.iter().all(|judged| judged.report.observed.trivial);
         found.push((n, causes, placed, trivial));

@@ -345,6 +345,59 @@ fn defects_of_set_up_and_drawing_are_called_by_name() {
     assert!(faults.is_empty(), "{faults:#?}");
 }
 
+/// What holds in the rows that differ: the winding of their triangles, and the side of the box that rows too
+/// many lie beside.
+#[test]
+fn rows_that_differ_say_what_they_have_in_common() {
+    let golden = Golden::named("tiny", 3000);
+    let (cfg, exp) = (golden.set.text("setup.cfg.tv"), golden.set.text("setup.exp.tv"));
+    let signed = golden.profile.vertex.signed;
+    let turned = cfg.lines().zip(exp.lines()).map(|(cfg, exp)| {
+        let words: Vec<i64> =
+            cfg.split('_').map(|word| i64::from_str_radix(word, 16).unwrap()).collect();
+        assert!(!signed);
+        let [a, b, c] = [0, 3, 6].map(|k| [words[k], words[k + 1]]);
+        let area = (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+        let mut words: Vec<String> = exp.split('_').map(str::to_owned).collect();
+        if area < 0 {
+            let depth_dx = u64::from_str_radix(&words[10], 16).unwrap();
+            words[10] = format!("{:0width$x}", depth_dx ^ 1, width = words[10].len());
+        }
+        words.join("_") + "\n"
+    });
+    let report = golden.compare("setup.exp.tv", &turned.collect::<String>()).unwrap();
+    let [differs] = &report.observed.differ[..] else { panic!("{:?}", report.observed) };
+    assert_eq!(differs.column, "depth_dx");
+    let fact = "exactly where the triangle's area is negative";
+    assert!(differs.facts.iter().any(|known| known == fact), "{:?}", differs.facts);
+
+    // A sample more at the end of each row of a box.
+    let boxes: std::collections::BTreeMap<u64, u64> = golden
+        .set
+        .text("triangle.cfg.tv")
+        .lines()
+        .map(|line| {
+            let words: Vec<&str> = line.split('_').collect();
+            let number = |word: &str| u64::from_str_radix(word, 16).unwrap();
+            (number(words[0]), number(words[words.len() - 1]))
+        })
+        .collect();
+    let depths = golden.set.text("depth.exp.tv");
+    let more = depths.lines().map(|line| {
+        let words: Vec<&str> = line.split('_').collect();
+        let number = |word: &str| u64::from_str_radix(word, 16).unwrap();
+        let end = boxes[&number(words[0])];
+        if number(words[2]) + 1 < end {
+            return format!("{line}\n");
+        }
+        let beyond = format!("{:0width$x}", end, width = words[2].len());
+        format!("{line}\n{}_{}_{beyond}_{}\n", words[0], words[1], words[3])
+    });
+    let report = golden.compare("depth.exp.tv", &more.collect::<String>()).unwrap();
+    assert!(report.observed.extra > 2);
+    assert_eq!(report.observed.extra_facts, ["each beside the right side of its box"]);
+}
+
 #[test]
 fn two_defects_at_once_are_called_nothing() {
     let golden = Golden::named("sgi-4k", 4000);

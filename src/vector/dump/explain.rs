@@ -75,8 +75,8 @@ const COPY: u8 = 16;
 const RIVALS: usize = 6;
 
 /// Looks for the cause among the suspects of the bench: what explains every row of every dump.
-/// Modules in `sound` have been found right by a bench of their own.
-pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
+/// Modules in `sound` have been found right by a bench of their own, those in `broken` wrong.
+pub(super) fn causes(group: &[&Judged], sound: &[&str], broken: &[&str]) -> Causes {
     let subject = &group[0].subject;
     let maps: Vec<Option<ByTest>> = group
         .iter()
@@ -113,10 +113,12 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str]) -> Causes {
         named.retain(|(rank, ..)| *rank < COPY);
     }
     let module = |place: Option<(&'static str, &'static str)>| place.map(|(module, _)| module);
-    // A decision of the profile has no module, and a fault that does the same is one way to it.
-    let mut modules: Vec<&str> = named.iter().filter_map(|(.., place)| module(*place)).collect();
-    modules.dedup();
-    let together = modules.len() <= 1;
+    // What a bench of its own finds wrong explains the rest; a decision of the profile has no module.
+    let is_broken = |place| module(place).is_some_and(|module| broken.contains(&module));
+    if named.iter().any(|(.., place)| is_broken(*place)) {
+        named.retain(|(.., place)| place.is_none() || is_broken(*place));
+    }
+    let together = named.iter().all(|(.., place)| module(*place) == module(named[0].2));
     let sure = named.len() == 1 || together && (1..=RIVALS).contains(&named.len());
     let named = named.into_iter().map(|(_, change, place)| (change, place)).collect();
     Causes { named, sure, tried, lost }

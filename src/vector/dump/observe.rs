@@ -38,6 +38,8 @@ pub struct Observed {
     pub missing: u64,
     /// Rows too many.
     pub extra: u64,
+    /// What holds in all of those whose test is known.
+    pub extra_facts: Vec<String>,
     /// Rows that differ by class of test.
     pub classes: BTreeMap<String, u64>,
     /// Whether what differs is the same in every row, as far as the device answers at all.
@@ -108,6 +110,9 @@ pub(super) fn observe(subject: &Subject, dump: &Dump) -> (Observed, Vec<TestAt>)
             seen.row(subject, class, &row);
             before = Some(want);
         }
+        for there in &theirs {
+            seen.beyond(subject, &dump.words(*there)[0], &stimulus);
+        }
         seen.observed.extra += theirs.len() as u64;
         seen.differs_in(class, theirs.len() as u64);
         if seen.differ > so_far {
@@ -143,7 +148,12 @@ struct Seen {
     compared: Vec<bool>,
     /// The word of each column, if it is the same in every row.
     constant: Vec<Option<u128>>,
+    /// Rows too many, and those of them beside each side of the box: left, right, top, bottom.
+    beside: [u64; 5],
 }
+
+/// The sides of a box, as [`Seen::beside`] has them.
+const SIDES: [&str; 4] = ["left", "right", "top", "bottom"];
 
 impl Seen {
     fn new(subject: &Subject) -> Self {
@@ -158,6 +168,30 @@ impl Seen {
             counts: Condition::all(&subject.spec, &subject.cfg).into_iter().map(count).collect(),
             compared: vec![false; columns],
             constant: Vec::new(),
+            beside: [0; 5],
+        }
+    }
+
+    /// A row too many: whether it lies beside a side of its box.
+    fn beyond(&mut self, subject: &Subject, got: &[u128], stimulus: &[u128]) {
+        let word = |columns: &[Column], words: &[u128], role: Role| {
+            let k = columns.iter().position(|column| column.name == role.pattern)?;
+            words.get(k).copied()
+        };
+        let own = |role| word(&subject.spec.columns, got, role);
+        let end = |role| word(&subject.cfg.columns, stimulus, role);
+        // A sample has an x, a run has its two ends.
+        let first = own(Role::X).or(own(Role::X_BEGIN));
+        let last = own(Role::X).or(own(Role::X_END).map(|x| x.wrapping_sub(1)));
+        let (y, before) = (own(Role::Y), |end: u128| end.wrapping_sub(1));
+        let beside = [
+            first.is_some() && first == end(Role::BOX_X_BEGIN).map(before),
+            last.is_some() && last == end(Role::BOX_X_END),
+            y.is_some() && y == end(Role::BOX_Y_BEGIN).map(before),
+            y.is_some() && y == end(Role::BOX_Y_END),
+        ];
+        for (count, here) in self.beside.iter_mut().zip([true].into_iter().chain(beside)) {
+            *count += u64::from(here);
         }
     }
 
@@ -213,6 +247,10 @@ impl Seen {
             && differing.all(|k| self.constant[k].is_some());
         // Nothing came at all.
         self.observed.trivial |= self.key > 0 && self.observed.rows + self.observed.extra == 0;
+        let [all, sides @ ..] = self.beside;
+        let beside = SIDES.iter().zip(sides).filter(|(_, rows)| all > 2 && *rows == all);
+        let beside = beside.map(|(side, _)| format!("each beside the {side} side of its box"));
+        self.observed.extra_facts.extend(beside);
         for (k, column) in columns.iter().enumerate() {
             if self.rows[k] == 0 {
                 if k >= self.key && self.compared[k] {

@@ -41,10 +41,13 @@ impl Suspects for TriangleBench {
                     kept: Kept::default(),
                 };
                 let suspect = Suspect::at(self, &fault, device);
-                // Counters go on counting where they are not set to zero.
-                let forgets =
-                    suspect.forgets && !COUNTERS.contains(&fault.site) && !remembers(fault.site);
-                list.push(Suspect { forgets, ..suspect });
+                // Counters and steppers go on from where the record before has left them.
+                let keeps = COUNTERS.contains(&fault.site) || remembers(fault.site);
+                let steps = ["dda", "edge_stepper"].contains(&fault.module) && fault.chooses();
+                let forgets = suspect.forgets && !keeps && !steps;
+                // An operand that is missing is simpler to say than a load from elsewhere.
+                let rank = suspect.rank + u8::from(remembers(fault.site));
+                list.push(Suspect { rank, forgets, ..suspect });
             }
         }
         list

@@ -2,6 +2,7 @@
 
 use super::Row;
 use crate::format::{Column, Role};
+use crate::setup::Triangle;
 use crate::vector::bench::{Coverage, FileSpec};
 
 /// A condition of a row.
@@ -21,6 +22,8 @@ pub(super) enum Condition {
     First(bool),
     /// The slopes of the test lie in this octant: columns of the configuration.
     Octant([usize; 2], usize),
+    /// The area of the test's triangle is negative, or positive: columns of its vertices.
+    Winding([[usize; 2]; 3], bool),
     /// The sample is the last of its row of the box: x, and the configuration's end of the box.
     AtRightSide(usize, usize),
 }
@@ -60,6 +63,13 @@ impl Condition {
             .into_iter()
             .find_map(|[dx, dy]| Some([place(&cfg.columns, dx)?, place(&cfg.columns, dy)?]));
         list.extend(slopes.into_iter().flat_map(|at| (0..8).map(move |n| Self::Octant(at, n))));
+        let vertex = |k: usize| {
+            let at = |role: Role| cfg.columns.iter().position(|column| column.name == role.name(k));
+            Some([at(Role::VERTEX_X)?, at(Role::VERTEX_Y)?])
+        };
+        if let [Some(a), Some(b), Some(c)] = [0, 1, 2].map(vertex) {
+            list.extend([true, false].map(|negative| Self::Winding([a, b, c], negative)));
+        }
         let right = place(&file.columns, Role::X).zip(place(&cfg.columns, Role::BOX_X_END));
         list.extend(right.map(|(x, end)| Self::AtRightSide(x, end)));
         list
@@ -77,6 +87,12 @@ impl Condition {
             Self::Octant([dx, dy], octant) => {
                 let slope = |k: usize| crate::vector::dump::value(&cfg[k], row.stimulus[k]);
                 Coverage::octant(slope(*dx), slope(*dy)) == *octant
+            }
+            Self::Winding(vertices, negative) => {
+                let word = |k: usize| crate::vector::dump::value(&cfg[k], row.stimulus[k]);
+                let xy = vertices.map(|[x, y]| [word(x), word(y)]);
+                let area = Triangle { xy, z: None }.area2();
+                if *negative { area < 0 } else { area > 0 }
             }
             Self::AtRightSide(x, end) => row.want[*x] + 1 == row.stimulus[*end],
         }
@@ -96,6 +112,8 @@ impl Condition {
             Self::Octant(_, octant) => {
                 format!("with slopes in the octant {}", Coverage::OCTANTS[*octant])
             }
+            Self::Winding(_, true) => "where the triangle's area is negative".to_owned(),
+            Self::Winding(_, false) => "where the triangle's area is positive".to_owned(),
             Self::AtRightSide(..) => "at the right side of the box".to_owned(),
         }
     }
