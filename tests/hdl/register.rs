@@ -127,7 +127,7 @@ const WIRED: [Wired; 7] = [
             ("beyond_y < edge_y", "beyond_y <= edge_y"),
             ("rises[k] = change > 0", "rises[k] = 1'b1"),
             ("32'(beyond_x) < side", "32'(beyond_x) <= side"),
-            ("no_row = line_y > last_y", "no_row = line_y >= last_y"),
+            ("SAMPLE = 19'sd7", "SAMPLE = 19'sd8"),
             ("{edge_yields, yields[2:1]}", "{yields[1:0], edge_yields}"),
         ],
     ),
