@@ -40,10 +40,11 @@ pub use painter::{Painter, drawable};
 pub use port::{Ports, SetupError};
 pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
-    Anchor, AnchoredConfig, ClipEnds, Descent, Emit, EngineConfig, HalfOrder, Largest, Plane,
-    Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig,
-    RegisterDevice, RegisterError, RegisterMachine, Registers, RowOrder, SlopeConfig, SlopeEdges,
-    SubScanlineConfig, VertexSort, WiredDevice, WiredEngine, WordsError, columns,
+    Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Descent, Emit, EngineConfig, HalfOrder,
+    Largest, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig,
+    RegisterConfig, RegisterDevice, RegisterError, RegisterMachine, Registers, RowOrder,
+    SlopeConfig, SlopeEdges, SubScanlineConfig, VertexSort, WiredDevice, WiredEngine, WordsError,
+    columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
 pub use state::{RasterState, Site};

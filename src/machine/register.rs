@@ -23,10 +23,10 @@ pub use text::WordsError;
 
 use super::{DrawError, Input, Machine, Ports, Sink, Target};
 use crate::bits::bounded;
-use crate::format::{Column, Layout, Packer};
+use crate::format::{Column, Gather, Layout, Packer};
 use crate::setup::{Triangle, VertexConfig};
 use crate::value::{Channel, ChannelConfig};
-use engine::{Built, Engine};
+use engine::{Built, ClipNames, Engine};
 pub(super) use form::KIND;
 use input::Inputs;
 #[cfg(feature = "verification")]
@@ -110,6 +110,19 @@ pub struct Registers {
     pub input: Layout,
     /// What it writes.
     pub records: Vec<Record>,
+    /// What it leaves out.
+    pub clip: ClipRegisters,
+}
+
+/// The registers of a clip rectangle.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ClipRegisters {
+    /// Left, top, right and bottom.
+    pub ends: [Gather; 4],
+    /// Whether they are in sub-pixels of the profile's vertices; in pixels otherwise.
+    pub sub_pixels: bool,
+    /// The register that says whether there is a rectangle; there always is without it.
+    pub on: Option<Gather>,
 }
 
 /// A machine that begins at registers.
@@ -165,7 +178,10 @@ impl RegisterConfig {
             Ok(Record { letter, names, layout, packer, drawn })
         });
         let records = records.collect::<Result<Vec<_>, RegisterError>>()?;
-        let registers = Some(Registers { radix: self.radix, input, records });
+        let ClipNames { ends, sub_pixels, on } = self.engine.form().clip();
+        let ends = inputs.all(self.engine.name(), ends)?;
+        let clip = ClipRegisters { ends, sub_pixels, on: on.and_then(|name| input.find(name)) };
+        let registers = Some(Registers { radix: self.radix, input, records, clip });
         let ports = Ports { registers, ..Ports::valued(vertex, Vec::new(), None) };
         Ok(RegisterMachine { engine, target, ports })
     }

@@ -14,7 +14,7 @@ use super::reference::{Language, ReferenceError, devices, package, reference};
 use crate::profile::Profile;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use work::Work;
+use work::{Device, Work};
 
 /// The unit that a module is compared with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -167,6 +167,14 @@ pub enum EquivalenceError {
     },
 }
 
+impl EquivalenceError {
+    /// Whether a tool did not find a parameter in a module: in the words of yosys, or of GHDL.
+    fn lacks_a_parameter(&self) -> bool {
+        let says = |words: &str| words.contains("defparam") || words.contains("no generic");
+        matches!(self, Self::Tool { words, .. } if says(words))
+    }
+}
+
 fn io(path: &Path) -> impl FnOnce(std::io::Error) -> EquivalenceError {
     let path = path.display().to_string();
     |source| EquivalenceError::Io { path, source }
@@ -206,19 +214,21 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     question.map.map_or(Ok(()), Map::is_spelt)?;
     std::fs::create_dir(folder).map_err(io(folder))?;
     let work = Work { folder, limit };
-    if question.map.is_none() && !work.has_parameters(rtl, &own.module, &own.parameters)? {
+    let found = match work.device(rtl, question.map.unwrap_or(&own)) {
         // A module of this profile alone, with the ports of the devices.
-        own.parameters.clear();
-    }
+        Err(error) if question.map.is_none() && error.lacks_a_parameter() => {
+            own.parameters.clear();
+            work.device(rtl, &own)?
+        }
+        found => found?,
+    };
+    let Device { read: source, parameters, ports } = found;
     let map = question.map.unwrap_or(&own);
-    let parameters: Vec<(String, i64)> = map.parameters.clone().into_iter().collect();
-    let (device, parameters) = work.sources(rtl, Some(&map.module), &parameters)?;
-    let (_, ports) = work.ports(&device, Some(&map.module), parameters)?;
     let code_bits = map.fits(&signals, &ports)?;
     let name = format!("{}_{}", package(profile), block.module());
     work.write("reference.sv", &text)?;
-    work.write("miter.sv", &miter::text(&name, (map, code_bits), parameters, &signals))?;
-    work.netlist(&device, &map.module)?;
+    work.write("miter.sv", &miter::text(&name, (map, code_bits), &parameters, &signals))?;
+    work.netlist(&source, &map.module)?;
     let answer = |verdict| Answer {
         verdict,
         assumed: map.assumed(),

@@ -296,6 +296,17 @@ fn registers_have_words_that_no_host_writes() {
         for tag in ["register-window", "register-pairs", "register-words", "random"] {
             assert!(class(tag).len() >= count.min(70), "{name} {tag}: {}", class(tag).len());
         }
+        // Places in sub-pixels: the corner of a pixel and its sample, at 7/16.
+        if name == "psp" {
+            for end in ["left", "top", "right", "bottom"] {
+                let word = 1 + input.word_names().iter().position(|word| word == end).unwrap();
+                let at = |place: u128| {
+                    let mut values = class("register-window").iter().map(|row| row[word]);
+                    values.any(|value| value & 15 == place && (16..1 << 16).contains(&value))
+                };
+                assert!(at(0) && at(7), "{end}");
+            }
+        }
         // A clip rectangle inside of what is drawn: some tests of a host's words lose pixels by it.
         let clipped = class("register-window").iter().filter(|row| {
             let words: Vec<u32> =

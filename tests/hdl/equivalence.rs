@@ -55,6 +55,21 @@ pub(crate) fn shipped_devices(_: &str) {
         let own = profile(home, guard, clamp);
         proves(home, &format!("{own} --rtl {HDL}/dda.sv --block dda"));
     }
+    // A module of one width, without any parameter.
+    let stepper = std::fs::read_to_string(format!("{HDL}/edge_stepper.sv")).unwrap();
+    let fixed = stepper.replace("parameter int M = 35", "localparam int M = 35");
+    assert_ne!(fixed, stepper);
+    std::fs::write(home.join("fixed.sv"), &fixed).unwrap();
+    proves(home, "sgi-4k --rtl fixed.sv --block edge-stepper");
+    ask(home, "tiny --rtl fixed.sv --block edge-stepper").complains(2, &["35 bits"]);
+    // The template is of the unit's module, whatever else stands in the files.
+    std::fs::write(
+        home.join("more.sv"),
+        fixed + "module zoo (input a, output b); assign b = a; endmodule\n",
+    )
+    .unwrap();
+    let template = ask(home, "sgi-4k --rtl more.sv --block edge-stepper --map-template").ends(0);
+    assert!(template.out.contains("module = \"edge_stepper\""), "{}", template.out);
     // The parameters are the profile's and not the text's: an accumulator of other bits is none.
     let map = "module = \"dda\"\n[reset]\nport = \"rst\"\n[ports]\nop = \"op\"\ninit = \"init\"\ndx = \"dx\"\n\
                dy = \"dy\"\nacc = \"acc\"\nout = \"out_v\"\n[parameters]\nG = 2\nI = 24\nF = 13\nMODE = 0\n";
@@ -109,6 +124,11 @@ pub(crate) fn vhdl_devices(_: &str) {
     std::fs::write(home.join("stepper.vhd"), VHDL.replace("base + addend", "base - addend"))
         .unwrap();
     refutes(home, question);
+    let fixed =
+        VHDL.replace("    generic (M : natural := 8);\n", "").replace("stepper", "edge_stepper");
+    let fixed = fixed.replace("M - 1", "34");
+    std::fs::write(home.join("fixed.vhd"), fixed).unwrap();
+    proves(home, "sgi-4k --rtl fixed.vhd --block edge-stepper");
     // Ours have a case: proved by a GHDL that keeps it, refused with another one, and never refuted.
     for (file, block) in [("dda.vhd", "dda"), ("edge_stepper.vhd", "edge-stepper")] {
         let ran = ask(home, &format!("sgi-4k --rtl {HDL}/{file} --block {block}"));

@@ -679,17 +679,19 @@ begin
             o_ready <= '0' when stalls or cutting else '1';
             noise := noise(14 downto 0) & (noise(15) xor noise(13) xor noise(12) xor noise(10));
             if taken then
-                -- What stands at the inputs without a valid is nothing.
                 offers := false;
-                cfg.v0_x := cfg.v0_x when DUMP else not cfg.v0_x;
-                cfg.v0_y := cfg.v0_y when DUMP else not cfg.v0_y;
-                cfg.v0_z := cfg.v0_z when DUMP else not cfg.v0_z;
-                cfg.v1_x := cfg.v1_x when DUMP else not cfg.v1_x;
-                cfg.v1_y := cfg.v1_y when DUMP else not cfg.v1_y;
-                cfg.v1_z := cfg.v1_z when DUMP else not cfg.v1_z;
-                cfg.v2_x := cfg.v2_x when DUMP else not cfg.v2_x;
-                cfg.v2_y := cfg.v2_y when DUMP else not cfg.v2_y;
-                cfg.v2_z := cfg.v2_z when DUMP else not cfg.v2_z;
+                if not DUMP then
+                    -- What stands at the inputs without a valid is nothing.
+                    cfg.v0_x := not cfg.v0_x;
+                    cfg.v0_y := not cfg.v0_y;
+                    cfg.v0_z := not cfg.v0_z;
+                    cfg.v1_x := not cfg.v1_x;
+                    cfg.v1_y := not cfg.v1_y;
+                    cfg.v1_z := not cfg.v1_z;
+                    cfg.v2_x := not cfg.v2_x;
+                    cfg.v2_y := not cfg.v2_y;
+                    cfg.v2_z := not cfg.v2_z;
+                end if;
             end if;
             taken := false;
             cut_next := not DUMP and cfg_line(5 downto 0) = 2 and quiet <= PATIENCE / 2;
@@ -1280,26 +1282,28 @@ begin
             triangle_ready <= '0' when stalls or cutting else '1';
             noise := noise(14 downto 0) & (noise(15) xor noise(13) xor noise(12) xor noise(10));
             if taken then
-                -- What stands at the inputs without a valid is nothing.
                 offers := false;
-                cfg.test := cfg.test when DUMP else not cfg.test;
-                cfg.edge0_init := cfg.edge0_init when DUMP else not cfg.edge0_init;
-                cfg.edge0_dx := cfg.edge0_dx when DUMP else not cfg.edge0_dx;
-                cfg.edge0_dy := cfg.edge0_dy when DUMP else not cfg.edge0_dy;
-                cfg.edge1_init := cfg.edge1_init when DUMP else not cfg.edge1_init;
-                cfg.edge1_dx := cfg.edge1_dx when DUMP else not cfg.edge1_dx;
-                cfg.edge1_dy := cfg.edge1_dy when DUMP else not cfg.edge1_dy;
-                cfg.edge2_init := cfg.edge2_init when DUMP else not cfg.edge2_init;
-                cfg.edge2_dx := cfg.edge2_dx when DUMP else not cfg.edge2_dx;
-                cfg.edge2_dy := cfg.edge2_dy when DUMP else not cfg.edge2_dy;
-                cfg.depth_init := cfg.depth_init when DUMP else not cfg.depth_init;
-                cfg.depth_dx := cfg.depth_dx when DUMP else not cfg.depth_dx;
-                cfg.depth_dy := cfg.depth_dy when DUMP else not cfg.depth_dy;
-                cfg.zero_area := cfg.zero_area when DUMP else not cfg.zero_area;
-                cfg.box_y_begin := cfg.box_y_begin when DUMP else not cfg.box_y_begin;
-                cfg.box_y_end := cfg.box_y_end when DUMP else not cfg.box_y_end;
-                cfg.box_x_begin := cfg.box_x_begin when DUMP else not cfg.box_x_begin;
-                cfg.box_x_end := cfg.box_x_end when DUMP else not cfg.box_x_end;
+                if not DUMP then
+                    -- What stands at the inputs without a valid is nothing.
+                    cfg.test := not cfg.test;
+                    cfg.edge0_init := not cfg.edge0_init;
+                    cfg.edge0_dx := not cfg.edge0_dx;
+                    cfg.edge0_dy := not cfg.edge0_dy;
+                    cfg.edge1_init := not cfg.edge1_init;
+                    cfg.edge1_dx := not cfg.edge1_dx;
+                    cfg.edge1_dy := not cfg.edge1_dy;
+                    cfg.edge2_init := not cfg.edge2_init;
+                    cfg.edge2_dx := not cfg.edge2_dx;
+                    cfg.edge2_dy := not cfg.edge2_dy;
+                    cfg.depth_init := not cfg.depth_init;
+                    cfg.depth_dx := not cfg.depth_dx;
+                    cfg.depth_dy := not cfg.depth_dy;
+                    cfg.zero_area := not cfg.zero_area;
+                    cfg.box_y_begin := not cfg.box_y_begin;
+                    cfg.box_y_end := not cfg.box_y_end;
+                    cfg.box_x_begin := not cfg.box_x_begin;
+                    cfg.box_x_end := not cfg.box_x_end;
+                end if;
             end if;
             taken := false;
             cut_next := not DUMP and cfg_line(5 downto 0) = 2 and quiet <= PATIENCE / 2;

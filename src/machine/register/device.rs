@@ -55,8 +55,8 @@ impl RegisterDevice {
     pub(super) fn wired(
         engine: WiredEngine,
         values: Vec<(&'static str, i128)>,
-        wiring: &RegisterConfig,
+        wiring: RegisterConfig,
     ) -> Self {
-        Self::Wired(WiredDevice { engine, values, wiring: wiring.clone() })
+        Self::Wired(WiredDevice { engine, values, wiring })
     }
 }

@@ -21,6 +21,16 @@ pub(super) trait Engine: Send + Sync + std::fmt::Debug {
 /// An engine, and the names of the values of each kind of record that it writes.
 pub(super) type Built = (Box<dyn Engine>, Vec<Vec<String>>);
 
+/// The registers of a clip rectangle, by name.
+pub(super) struct ClipNames {
+    /// Left, top, right and bottom.
+    pub(super) ends: [&'static str; 4],
+    /// Whether they are in sub-pixels.
+    pub(super) sub_pixels: bool,
+    /// What says whether there is one.
+    pub(super) on: Option<&'static str>,
+}
+
 /// An engine as a profile configures it.
 pub(super) trait EngineForm {
     /// The name profiles use.
@@ -34,6 +44,9 @@ pub(super) trait EngineForm {
         vertex: &VertexConfig,
         target: Target,
     ) -> Result<Built, RegisterError>;
+
+    /// The registers of its clip rectangle.
+    fn clip(&self) -> ClipNames;
 
     /// The word that decides coverage; `None` where sides are exact.
     fn edge_word(&self) -> Option<Word>;

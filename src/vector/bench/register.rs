@@ -1,6 +1,7 @@
 //! The bench of a machine that begins at registers: words in, records out. Spec clause `N-2`.
 
 mod field;
+mod host;
 mod stimulus;
 
 use super::rig::NoFiles;

@@ -1,8 +1,7 @@
 //! The folder of a question, and the tools that run in it.
 
 use super::tool::{self, Ran};
-use super::{EquivalenceError, Port, io, netlist};
-use std::collections::BTreeMap;
+use super::{EquivalenceError, Map, Port, io, netlist};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -13,6 +12,15 @@ type Parameters = [(String, i64)];
 pub(super) struct Work<'a> {
     pub(super) folder: &'a Path,
     pub(super) limit: Duration,
+}
+
+/// A module, as yosys sees it.
+pub(super) struct Device {
+    /// How yosys reads it.
+    pub(super) read: String,
+    /// The parameters that yosys has to set.
+    pub(super) parameters: Vec<(String, i64)>,
+    pub(super) ports: Vec<Port>,
 }
 
 impl Work<'_> {
@@ -112,19 +120,12 @@ impl Work<'_> {
         Ok((format!("{read} device.v"), &[]))
     }
 
-    /// Whether a module has all of these parameters; VHDL is asked nothing, and said to have them.
-    pub(super) fn has_parameters(
-        &self,
-        rtl: &[PathBuf],
-        module: &str,
-        parameters: &BTreeMap<String, i64>,
-    ) -> Result<bool, EquivalenceError> {
-        let listed: Vec<(String, i64)> = parameters.clone().into_iter().collect();
-        let (read, listed) = self.sources(rtl, Some(module), &listed)?;
-        match self.ports(&read, Some(module), listed) {
-            Err(EquivalenceError::Tool { words, .. }) if words.contains("defparam") => Ok(false),
-            other => other.map(|_| true),
-        }
+    /// A map's module, as yosys sees it.
+    pub(super) fn device(&self, rtl: &[PathBuf], map: &Map) -> Result<Device, EquivalenceError> {
+        let parameters: Vec<(String, i64)> = map.parameters.clone().into_iter().collect();
+        let (read, parameters) = self.sources(rtl, Some(&map.module), &parameters)?;
+        let (_, ports) = self.ports(&read, Some(&map.module), parameters)?;
+        Ok(Device { read, parameters: parameters.to_vec(), ports })
     }
 
     /// A module's ports; without a name, of the one that no other has in it.

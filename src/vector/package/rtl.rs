@@ -291,7 +291,7 @@ mod tests {
     ];
 
     fn all() -> impl Iterator<Item = &'static Source> {
-        ALL.into_iter().chain(wired::sources())
+        ALL.into_iter().chain(wired::ALL)
     }
 
     /// A value of its own for each parameter of a device.

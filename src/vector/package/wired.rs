@@ -36,22 +36,26 @@ static SUB_SCANLINES: Source = systemverilog(
     &["RESIZE", "SIGNED_DISTANCE", "LONG_SIGN", "DROP_Z"],
 );
 
-/// Name and modules of each, in the order of [`WiredEngine`].
-const DEVICES: [(&str, &[&Source]); 5] = [
-    ("anchored_engine", &[&ANCHORED]),
-    ("vertex_quad_engine", &[&VERTEX_QUADS]),
-    ("given_slope_engine", &[&GIVEN_SLOPES]),
-    ("divided_slope_engine", &[&DIVIDED_SLOPES]),
-    ("sub_scanline_engine", &[&SUB_SCANLINES]),
-];
+type Device = (&'static str, &'static [&'static Source]);
+
+const ANCHORED_DEVICE: Device = ("anchored_engine", &[&ANCHORED]);
+const VERTEX_QUADS_DEVICE: Device = ("vertex_quad_engine", &[&VERTEX_QUADS]);
+const GIVEN_SLOPES_DEVICE: Device = ("given_slope_engine", &[&GIVEN_SLOPES]);
+const DIVIDED_SLOPES_DEVICE: Device = ("divided_slope_engine", &[&DIVIDED_SLOPES]);
+const SUB_SCANLINES_DEVICE: Device = ("sub_scanline_engine", &[&SUB_SCANLINES]);
 
 /// All of them, for what is asked of every device.
 #[cfg(test)]
-pub(super) fn sources() -> impl Iterator<Item = &'static Source> {
-    DEVICES.into_iter().flat_map(|(_, parts)| parts.iter().copied())
-}
+pub(super) const ALL: [&Source; 5] =
+    [&ANCHORED, &VERTEX_QUADS, &GIVEN_SLOPES, &DIVIDED_SLOPES, &SUB_SCANLINES];
 
 /// The module's name, and its modules, itself last.
-pub(super) fn device(engine: WiredEngine) -> (&'static str, &'static [&'static Source]) {
-    DEVICES[engine as usize]
+pub(super) fn device(engine: WiredEngine) -> Device {
+    match engine {
+        WiredEngine::Anchored => ANCHORED_DEVICE,
+        WiredEngine::VertexQuads => VERTEX_QUADS_DEVICE,
+        WiredEngine::GivenSlopes => GIVEN_SLOPES_DEVICE,
+        WiredEngine::DividedSlopes => DIVIDED_SLOPES_DEVICE,
+        WiredEngine::SubScanlines => SUB_SCANLINES_DEVICE,
+    }
 }

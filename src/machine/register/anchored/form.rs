@@ -2,7 +2,7 @@
 
 use super::{Anchor, AnchoredConfig, HalfOrder, Largest, NAME, VertexSort};
 use crate::bits::Rounding;
-use crate::machine::register::engine::{Built, EngineForm};
+use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
     EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
@@ -23,6 +23,10 @@ impl EngineForm for AnchoredConfig {
         target: Target,
     ) -> Result<Built, RegisterError> {
         self.engine(inputs, channels, vertex, target)
+    }
+
+    fn clip(&self) -> ClipNames {
+        ClipNames { ends: ["left", "top", "right", "bottom"], sub_pixels: false, on: None }
     }
 
     /// Its sides are exact.
@@ -47,7 +51,7 @@ impl EngineForm for AnchoredConfig {
             largest: None,
         };
         let wiring = RegisterConfig { engine: same.into(), ..machine.clone() };
-        Some(RegisterDevice::wired(WiredEngine::Anchored, values, &wiring))
+        Some(RegisterDevice::wired(WiredEngine::Anchored, values, wiring))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

@@ -2,7 +2,7 @@
 
 use super::{Descent, Emit, NAME, QuadConfig, QuadEdges, QuadRule};
 use crate::format::Layout;
-use crate::machine::register::engine::{Built, EngineForm};
+use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
     EngineConfig, QuadDevice, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine,
@@ -26,6 +26,14 @@ impl EngineForm for QuadConfig {
         self.engine(inputs, &channels, vertex, target)
     }
 
+    fn clip(&self) -> ClipNames {
+        let (ends, sub_pixels) = match self.edges {
+            QuadEdges::Given { .. } => (["x_min", "y_min", "x_max", "y_max"], false),
+            QuadEdges::Vertices => (["left", "top", "right", "bottom"], true),
+        };
+        ClipNames { ends, sub_pixels, on: None }
+    }
+
     fn edge_word(&self) -> Option<Word> {
         let facts = [("beyond its range", "wraps".to_owned())];
         Some(Word::new("edge", [("edge", self.width)], facts))
@@ -33,7 +41,11 @@ impl EngineForm for QuadConfig {
 
     fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
         if self.edges == QuadEdges::Vertices {
-            return Some(RegisterDevice::wired(WiredEngine::VertexQuads, Vec::new(), machine));
+            return Some(RegisterDevice::wired(
+                WiredEngine::VertexQuads,
+                Vec::new(),
+                machine.clone(),
+            ));
         }
         let input = Layout::parse(&machine.input).ok()?;
         let Descent { tile, block } = self.descent.filter(|_| self.emit == Emit::Quads)?;

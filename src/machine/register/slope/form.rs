@@ -1,7 +1,7 @@
 //! The engine `slopes` as a profile configures it.
 
 use super::{ClipEnds, NAME, SlopeConfig, SlopeEdges};
-use crate::machine::register::engine::{Built, EngineForm};
+use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
     EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
@@ -25,6 +25,11 @@ impl EngineForm for SlopeConfig {
         self.engine(inputs, channels, vertex, target)
     }
 
+    fn clip(&self) -> ClipNames {
+        let ends = ["clip_left", "clip_top", "clip_right", "clip_bottom"];
+        ClipNames { ends, sub_pixels: false, on: Some("clip") }
+    }
+
     fn edge_word(&self) -> Option<Word> {
         let (SlopeEdges::Divided { fraction, .. } | SlopeEdges::Given { fraction, .. }) =
             self.edges;
@@ -37,7 +42,7 @@ impl EngineForm for SlopeConfig {
             SlopeEdges::Divided { .. } => WiredEngine::DividedSlopes,
             SlopeEdges::Given { .. } => WiredEngine::GivenSlopes,
         };
-        Some(RegisterDevice::wired(engine, Vec::new(), machine))
+        Some(RegisterDevice::wired(engine, Vec::new(), machine.clone()))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

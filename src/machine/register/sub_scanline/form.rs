@@ -2,7 +2,7 @@
 
 use super::{NAME, Product, SubScanlineConfig};
 use crate::format::Layout;
-use crate::machine::register::engine::{Built, EngineForm};
+use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
     EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
@@ -25,6 +25,11 @@ impl EngineForm for SubScanlineConfig {
         self.engine(inputs, channels, vertex, target)
     }
 
+    fn clip(&self) -> ClipNames {
+        let ends = ["scissor_xh", "scissor_yh", "scissor_xl", "scissor_yl"];
+        ClipNames { ends, sub_pixels: true, on: None }
+    }
+
     fn edge_word(&self) -> Option<Word> {
         let facts = [
             ("resolution", "2^-16 pixel".to_owned()),
@@ -42,7 +47,7 @@ impl EngineForm for SubScanlineConfig {
             ("LONG_SIGN", input.find("long_sign").is_some().into()),
             ("DROP_Z", machine.channels.iter().find(depth)?.drop.into()),
         ];
-        Some(RegisterDevice::wired(WiredEngine::SubScanlines, values, machine))
+        Some(RegisterDevice::wired(WiredEngine::SubScanlines, values, machine.clone()))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

@@ -1,15 +1,13 @@
-//! The words that a machine is tested with: a host's, and others.
+//! The words that a machine is tested with: a host's, and others. Spec clause `X-6`.
 
-use super::RegisterTest;
-use super::field::{Field, bare, fields, low, set};
+use super::field::{Field, fields};
+use super::host::Host;
 use crate::case::triangle::{self, Stimulus as Cases};
 use crate::case::{Class, Directed, Words, place};
-use crate::format::{Gather, WORD};
-use crate::machine::Registers;
-use crate::model::{Model, Records};
+use crate::machine::{ClipRegisters, Registers};
+use crate::model::Model;
 use crate::setup::Triangle;
 use crate::vector::bench::{Group, Source, TestAt, cut};
-use crate::vector::device::records;
 use std::sync::Arc;
 
 /// Rows asked for in a walk file per random or scene test.
@@ -54,27 +52,32 @@ const DISTANCES: u64 = 4 * VALUES;
 /// Places that a field is set to in turn: x and y in pixels, in sub-pixels, and there at the sample.
 const PLACES: u64 = 6;
 
-/// Names that ends of a clip rectangle have: left, top, right, bottom.
-const RECTANGLES: [[&str; 4]; 4] = [
-    ["left", "top", "right", "bottom"],
-    ["clip_left", "clip_top", "clip_right", "clip_bottom"],
-    ["scissor_xh", "scissor_yh", "scissor_xl", "scissor_yl"],
-    ["x_min", "y_min", "x_max", "y_max"],
+/// Makes the words of a test of a class, by its number in the class.
+type Make = fn(&RegisterStimulus, u64) -> Vec<u32>;
+
+/// The classes after those of triangles, in the order of their tests.
+const CLASSES: [(Class, Make); 7] = [
+    (triangle::SCENE, RegisterStimulus::of_scene),
+    (ENDS, RegisterStimulus::ends),
+    (WINDOW, RegisterStimulus::window),
+    (PAIRS, RegisterStimulus::pairs),
+    (BITS, RegisterStimulus::bits),
+    (WORDS, RegisterStimulus::no_host),
+    (triangle::RANDOM, RegisterStimulus::changed),
 ];
 
 /// Where the words of tests come from.
 #[derive(Clone, Debug)]
 pub(super) struct RegisterStimulus {
-    model: Arc<Model>,
-    registers: Registers,
+    host: Host,
     directed: Arc<Vec<Directed<Triangle>>>,
     scene: Arc<Vec<Triangle>>,
     fields: Arc<Vec<Field>>,
-    rectangle: Option<[Gather; 4]>,
     /// The words that draw least of all that a host writes; and the same with all fields at zero that
     /// move no pixel.
     least: Arc<[Vec<u32>; 2]>,
-    /// The sample in its pixel, in sub-pixels.
+    /// Sub-pixel bits, and the sample in its pixel.
+    sub_pixel: u32,
     sample: [i64; 2],
     cases: Cases,
     seed: u64,
@@ -87,263 +90,246 @@ impl RegisterStimulus {
         model: Arc<Model>,
         registers: &Registers,
     ) -> (Self, Vec<Group>) {
-        let cases = Cases::new(&source.profile);
+        let profile = &source.profile;
+        let cases = Cases::new(profile);
+        let host = Host { model, registers: registers.clone() };
         let small = |triangle: &Triangle| {
-            let words = model.host(triangle);
-            words
-                .first()
-                .is_some_and(|words| records(&model, words, RegisterTest::LARGEST).is_whole())
+            host.writes(triangle).is_some_and(|words| host.records(&words).is_whole())
         };
         let mut directed = cases.directed();
         for class in &mut directed {
             class.tests.retain(&small);
         }
         directed.retain(|class| !class.tests.is_empty());
-        let rows = |triangle: &Triangle| {
-            let words = model.host(triangle);
-            words.first().map_or(1, |w| records(&model, w, RegisterTest::LARGEST).total + 1)
-        };
-        let input = &registers.input;
-        let mut fields = fields(input);
-        let all = directed.iter().flat_map(|class| &class.tests);
-        let all = all.filter_map(|triangle| model.host(triangle).into_iter().next());
-        let drawn = |words: &Vec<u32>| records(&model, words, RegisterTest::LARGEST).total;
-        let smallest = all.filter(|words| drawn(words) > 0).min_by_key(drawn);
+        let written = directed.iter().flat_map(|class| &class.tests);
+        let written = written.filter_map(|triangle| host.writes(triangle));
+        let drawn = |words: &Vec<u32>| host.records(words).total;
+        let smallest = written.filter(|words| drawn(words) > 0).min_by_key(drawn);
         let smallest = smallest.unwrap_or_else(|| vec![0; registers.input.len()]);
-        let least = Arc::new([smallest.clone(), bare(&model, registers, &mut fields, smallest)]);
+        let mut fields = fields(&registers.input);
+        let least = [smallest.clone(), host.bare(&mut fields, smallest)];
+        let rows = |triangle: &Triangle| {
+            host.writes(triangle).map_or(1, |words| host.records(&words).total + 1)
+        };
         directed.insert(0, Directed::core(&directed, rows));
         let scene: Vec<Triangle> = source.scene.iter().copied().filter(small).collect();
         let groups = groups(&directed, scene.len() as u64, &fields, source.count);
-        let rectangle = RECTANGLES.iter().find_map(|names| {
-            let ends: Vec<Gather> = names.iter().filter_map(|name| input.find(name)).collect();
-            <[Gather; 4]>::try_from(ends).ok()
-        });
-        let sample = source.profile.grid().map_or([0; 2], |grid| grid.offset);
+        let sample = profile.grid().map_or([0; 2], |grid| grid.offset);
         let stimulus = Self {
-            registers: registers.clone(),
             directed: Arc::new(directed),
             scene: Arc::new(scene),
             fields: Arc::new(fields),
-            rectangle,
-            least,
+            least: Arc::new(least),
+            sub_pixel: profile.vertex.sub_pixel,
             sample: sample.map(|at| i64::try_from(at).unwrap_or(0)),
             cases,
             seed: source.seed,
-            model,
+            host,
         };
         (stimulus, groups)
     }
 
-    fn records(&self, words: &[u32]) -> Records {
-        records(&self.model, words, RegisterTest::LARGEST)
+    /// The words of a test.
+    pub(super) fn words(&self, at: TestAt) -> Vec<u32> {
+        if let Some(class) = self.directed.get(at.group) {
+            return self.host.words(&class.tests[place(at.index)]);
+        }
+        let (_, make) = CLASSES[at.group - self.directed.len()];
+        make(self, at.index)
     }
 
-    /// Whether words draw anything.
-    fn draws(&self, words: &[u32]) -> bool {
-        self.records(words).total > 0
-    }
-
-    /// What a host writes for a triangle, the first list of it; zeros where it writes nothing.
-    fn host(&self, triangle: &Triangle) -> Vec<u32> {
-        let first = self.model.host(triangle).into_iter().next();
-        first.unwrap_or_else(|| vec![0; self.registers.input.len()])
+    /// A random stream of the register benches.
+    fn draw(&self, stream: u64, index: u64) -> Words {
+        Words::new(self.seed, STREAM + stream, index)
     }
 
     /// A host's words for the first of a few triangles that draws at all, else for the first of
     /// them: an empty one shows nothing of a register.
     fn random(&self, index: u64) -> Vec<u32> {
         let host = |n: u64| {
-            let key = Words::new(self.seed, STREAM, index * TRIES + n);
-            self.host(&self.cases.random(key, Some(REACH)))
+            let key = self.draw(0, index * TRIES + n);
+            self.host.words(&self.cases.random(key, Some(REACH)))
         };
-        (0..TRIES).map(host).find(|words| self.draws(words)).unwrap_or_else(|| host(0))
+        let draws = |words: &Vec<u32>| self.host.records(words).total > 0;
+        (0..TRIES).map(host).find(draws).unwrap_or_else(|| host(0))
     }
 
     /// A host's words that draw: those of a random triangle, or of one with a purpose.
     fn drawing(&self, index: u64) -> Vec<u32> {
         let tests: usize = self.directed.iter().map(|class| class.tests.len()).sum();
-        let mut draw = Words::new(self.seed, STREAM + 2, index);
+        let mut draw = self.draw(2, index);
         if draw.below(2) == 0 || tests == 0 {
             return self.random(index);
         }
         let mut all = self.directed.iter().flat_map(|class| &class.tests);
         let triangle = all.nth(place(draw.below(tests as u64)));
-        let words = triangle.map(|triangle| self.host(triangle));
-        words.filter(|words| self.draws(words)).unwrap_or_else(|| self.random(index))
+        let words = triangle.map(|triangle| self.host.words(triangle));
+        let draws = |words: &Vec<u32>| self.host.records(words).total > 0;
+        words.filter(draws).unwrap_or_else(|| self.random(index))
     }
 
     /// A pixel that words draw, or the first one.
     fn pixel(&self, words: &[u32], draw: &mut Words) -> [i64; 2] {
-        let kept = self.records(words).kept;
-        let pixels: Vec<[i64; 2]> = kept
-            .iter()
-            .flat_map(|(kind, values)| self.registers.records[*kind].pixels(values))
-            .collect();
+        let pixels = self.host.pixels(words);
         if pixels.is_empty() { [0; 2] } else { pixels[place(draw.below(pixels.len() as u64))] }
     }
 
-    /// The words with one field set to a value.
-    fn with(&self, mut words: Vec<u32>, field: usize, value: u32) -> Vec<u32> {
-        set(&mut words, self.fields[field], value);
-        words
+    /// The words, unless they draw too much.
+    fn bounded(&self, changed: Vec<u32>, otherwise: Vec<u32>) -> Vec<u32> {
+        if self.host.records(&changed).is_whole() { changed } else { otherwise }
     }
 
-    /// The words of a test.
-    pub(super) fn words(&self, at: TestAt) -> Vec<u32> {
-        let index = place(at.index);
-        if let Some(class) = self.directed.get(at.group) {
-            return self.host(&class.tests[index]);
+    /// A host's words of the scene.
+    fn of_scene(&self, index: u64) -> Vec<u32> {
+        self.host.words(&self.scene[place(index) % self.scene.len()])
+    }
+
+    /// Each field at both ends of its range, with one bit set, and with one bit clear.
+    fn ends(&self, index: u64) -> Vec<u32> {
+        let field = self.fields[place(index / VALUES)];
+        let words = self.drawing(index / VALUES);
+        let (all, top) = (field.ones(), 1 << (field.width - 1));
+        let one = 1 << self.draw(3, index).below(field.width.into());
+        let end = [0, all, top, all ^ top, one, all ^ one][place(index % VALUES)];
+        self.bounded(field.set(&words, end), words)
+    }
+
+    /// Each field at a place that the words draw.
+    fn window(&self, index: u64) -> Vec<u32> {
+        let (field, to) = (self.fields[place(index / PLACES)], place(index % PLACES));
+        let words = self.drawing(index / 2);
+        let pixel = self.pixel(&words, &mut self.draw(4, index))[to % 2];
+        let at = match to / 2 {
+            0 => pixel,
+            1 => pixel << self.sub_pixel,
+            _ => (pixel << self.sub_pixel) + self.sample[to % 2],
+        };
+        self.bounded(field.set(&words, low(at.cast_unsigned())), words)
+    }
+
+    /// Each field at a distance from another one; in half of the tests what is left of their kind lies
+    /// between the two, on either side of zero.
+    fn pairs(&self, index: u64) -> Vec<u32> {
+        let (field, round) = (self.fields[place(index / DISTANCES)], index % DISTANCES / VALUES);
+        let words = self.drawing(index / VALUES);
+        let like =
+            |akin: bool| self.fields.iter().filter(move |other| field.is_like(**other, akin));
+        let others: Vec<&Field> = like(round > 0).collect();
+        if others.is_empty() {
+            return words;
         }
-        let key = |stream: u64| Words::new(self.seed, STREAM + stream, at.index);
-        let bits = |draw: &mut Words| low(draw.below(1 << 32));
-        match at.group - self.directed.len() {
-            0 => self.host(&self.scene[index % self.scene.len()]),
-            1 => {
-                let (field, value) = (index / place(VALUES), at.index % VALUES);
-                let words = self.drawing(at.index / VALUES);
-                let width = self.fields[field].width;
-                let (all, top) = (u32::MAX >> (WORD - width), 1 << (width - 1));
-                let one = 1 << key(3).below(width.into());
-                let end = [0, all, top, all ^ top, one, all ^ one][place(value)];
-                self.bounded(self.with(words.clone(), field, end), words)
-            }
-            2 => {
-                let (field, to) = (index / place(PLACES), place(at.index % PLACES));
-                let words = self.drawing(at.index / 2);
-                let pixel = self.pixel(&words, &mut key(4))[to % 2];
-                let shift = if to < 2 { 0 } else { self.model.profile().vertex.sub_pixel };
-                let pixel = (pixel << shift) + if to < 4 { 0 } else { self.sample[to % 2] };
-                self.bounded(
-                    self.with(words.clone(), field, low(pixel.cast_unsigned()) << shift),
-                    words,
-                )
-            }
-            3 => {
-                let (field, apart) = (index / place(DISTANCES), place(at.index % VALUES));
-                let words = self.drawing(at.index / VALUES);
-                let Field { width, initial, .. } = self.fields[field];
-                let alike = |akin: bool| {
-                    self.fields.iter().enumerate().filter(move |&(n, other)| {
-                        n != field && other.width == width && (!akin || other.initial == initial)
-                    })
-                };
-                let mut others = alike(at.index % DISTANCES >= VALUES);
-                let count = others.clone().count() as u64;
-                let Some((_, other)) = others.nth(place(key(5).below(count.max(1)))) else {
-                    return words;
-                };
-                let half = 1u32 << (width - 1);
-                let distance =
-                    [0, 1, u32::MAX, half, half.wrapping_sub(1), 1u32.wrapping_sub(half)];
-                let from = words[other.word] >> other.lowest;
-                let mut changed =
-                    self.with(words.clone(), field, from.wrapping_add(distance[apart]));
-                // What is left of their kind lies between the two, on either side of zero.
-                let middle = match at.index % DISTANCES / VALUES {
-                    0 | 1 => None,
-                    2 => Some(from.wrapping_add(distance[apart] >> 1)),
-                    _ => Some(from.wrapping_sub(distance[apart] >> 1)),
-                };
-                if let Some(middle) = middle {
-                    for (_, third) in alike(true).filter(|(_, third)| third.word != other.word) {
-                        set(&mut changed, *third, middle);
-                    }
-                }
-                self.bounded(changed, words)
-            }
-            4 => {
-                let mut bit = u32::try_from(at.index / 2).unwrap_or(0);
-                let field = self.fields.iter().position(|field| {
-                    let here = bit < field.width;
-                    bit -= if here { 0 } else { field.width };
-                    here
-                });
-                let words = self.least[place(at.index % 2)].clone();
-                self.bounded(self.with(words.clone(), field.unwrap_or(0), 1 << bit), words)
-            }
-            5 => self.no_host(at.index),
-            _ => {
-                // A few registers of a host's at random, so that nothing holds by construction.
-                let words = self.drawing(at.index);
-                let mut changed = words.clone();
-                let mut draw = key(1);
-                for _ in 0..draw.below(4) {
-                    let register = place(draw.below(words.len() as u64));
-                    changed[register] = match draw.below(4) {
-                        0 => 1 << draw.below(32),
-                        1 => low(self.pixel(&words, &mut draw)[register % 2].cast_unsigned()),
-                        _ => bits(&mut draw) >> draw.below(32),
-                    };
-                }
-                self.bounded(changed, words)
+        let other = *others[place(self.draw(5, index).below(others.len() as u64))];
+        let half = 1u32 << (field.width - 1);
+        let distances = [0, 1, u32::MAX, half, half.wrapping_sub(1), 1u32.wrapping_sub(half)];
+        let (from, distance) = (other.of(&words), distances[place(index % VALUES)]);
+        let middle = match round {
+            0 | 1 => None,
+            2 => Some(from.wrapping_add(distance >> 1)),
+            _ => Some(from.wrapping_sub(distance >> 1)),
+        };
+        let mut changed = field.set(&words, from.wrapping_add(distance));
+        if let Some(middle) = middle {
+            for third in like(true).filter(|third| **third != other) {
+                changed = third.set(&changed, middle);
             }
         }
+        self.bounded(changed, words)
+    }
+
+    /// Each bit of each field alone, in the words that draw least.
+    fn bits(&self, index: u64) -> Vec<u32> {
+        let words = self.least[place(index % 2)].clone();
+        let bits = |field: &Field| (0..field.width).map(|bit| (*field, bit)).collect::<Vec<_>>();
+        let mut bits = self.fields.iter().flat_map(bits);
+        let alone = bits.nth(place(index / 2)).map(|(field, bit)| field.set(&words, 1 << bit));
+        alone.map_or_else(|| words.clone(), |alone| self.bounded(alone, words.clone()))
     }
 
     /// Words at random, and a small clip rectangle, so that they draw something and not too much. In every
     /// second test the pixels stay, and only what is drawn in them is at random.
     fn no_host(&self, index: u64) -> Vec<u32> {
+        let stays = !index.is_multiple_of(2);
         let made = (0..TRIES).map(|attempt| {
-            let mut draw = Words::new(self.seed, STREAM + 6, index * TRIES + attempt);
+            let mut draw = self.draw(6, index * TRIES + attempt);
             let mut words = self.drawing(index);
-            for field in 0..self.fields.len() {
-                let Field { width, clips, moves, .. } = self.fields[field];
-                if clips {
-                    // Without its clip rectangle a machine draws too much.
-                    words = self.with(words, field, 1);
-                } else if draw.below(2) == 0 && (index.is_multiple_of(2) || !moves) {
-                    let value = low(draw.below(1 << 32)) >> draw.below(width.into());
-                    words = self.with(words, field, value);
+            for field in self.fields.iter() {
+                if draw.below(2) == 0 && !(stays && field.moves) {
+                    let value = low(draw.below(1 << 32)) >> draw.below(field.width.into());
+                    words = field.set(&words, value);
                 }
             }
-            let vertex = &self.model.profile().vertex;
-            // In pixels or in sub-pixels, as the machine has it.
-            let below = if draw.below(2) == 0 { 0 } else { vertex.sub_pixel };
-            let pixel = self.pixel(&words, &mut draw);
-            for axis in 0..2 {
-                let Some(ends) = &self.rectangle else { continue };
-                let (first, size) = if index.is_multiple_of(2) {
-                    let bits = ends[axis].bits().min(vertex.integer + below);
-                    (draw.below(1 << bits), draw.below(32 << below))
-                } else {
-                    // At a pixel that is drawn; an empty rectangle among others.
-                    let first = (pixel[axis].cast_unsigned() << below).wrapping_sub(draw.below(4));
-                    (first, draw.below(8))
-                };
-                ends[axis].scatter(first.into(), &mut words);
-                ends[axis + 2].scatter(first.wrapping_add(size).into(), &mut words);
-            }
+            self.clip(&mut words, stays, &mut draw);
             words
         });
         let mut fits = made.filter(|words| {
-            let records = self.records(words);
-            records.is_whole() && (records.total > 0 || !index.is_multiple_of(2))
+            let records = self.host.records(words);
+            records.is_whole() && (records.total > 0 || stays)
         });
         fits.next().unwrap_or_else(|| self.drawing(index))
     }
 
-    /// The words, unless they draw too much.
-    fn bounded(&self, changed: Vec<u32>, otherwise: Vec<u32>) -> Vec<u32> {
-        if self.records(&changed).is_whole() { changed } else { otherwise }
+    /// Sets a small clip rectangle; `near` a pixel that is drawn, an empty one among others.
+    fn clip(&self, words: &mut [u32], near: bool, draw: &mut Words) {
+        let ClipRegisters { ends, sub_pixels, on } = &self.host.registers.clip;
+        if let Some(on) = on {
+            // Without its clip rectangle a machine draws too much.
+            on.scatter(1, words);
+        }
+        let below = if *sub_pixels { self.sub_pixel } else { 0 };
+        let integer = self.host.model.profile().vertex.integer;
+        let pixel = self.pixel(words, draw);
+        for axis in 0..2 {
+            let (first, size) = if near {
+                let first = (pixel[axis].cast_unsigned() << below).wrapping_sub(draw.below(4));
+                (first, draw.below(8))
+            } else {
+                let bits = ends[axis].bits().min(integer + below);
+                (draw.below(1 << bits), draw.below(32 << below))
+            };
+            ends[axis].scatter(first.into(), words);
+            ends[axis + 2].scatter(first.wrapping_add(size).into(), words);
+        }
+    }
+
+    /// A host's words with a few registers at random, so that nothing holds by construction.
+    fn changed(&self, index: u64) -> Vec<u32> {
+        let words = self.drawing(index);
+        let mut changed = words.clone();
+        let mut draw = self.draw(1, index);
+        for _ in 0..draw.below(4) {
+            let register = place(draw.below(words.len() as u64));
+            changed[register] = match draw.below(4) {
+                0 => 1 << draw.below(32),
+                1 => low(self.pixel(&words, &mut draw)[register % 2].cast_unsigned()),
+                _ => low(draw.below(1 << 32)) >> draw.below(32),
+            };
+        }
+        self.bounded(changed, words)
     }
 }
 
+/// The low 32 bits.
+fn low(value: u64) -> u32 {
+    let [a, b, c, d, ..] = value.to_le_bytes();
+    u32::from_le_bytes([a, b, c, d])
+}
+
 fn groups(directed: &[Directed<Triangle>], scene: u64, fields: &[Field], count: u64) -> Vec<Group> {
-    let share = count / ROWS_PER_TEST;
-    let mut groups: Vec<Group> = directed
-        .iter()
-        .map(|class| Group { class: class.class, tests: class.tests.len() as u64 })
-        .collect();
-    groups.push(Group { class: triangle::SCENE, tests: share.min(scene) });
-    groups.push(Group { class: ENDS, tests: VALUES * fields.len() as u64 });
-    groups.push(Group { class: WINDOW, tests: PLACES * fields.len() as u64 });
-    groups.push(Group { class: PAIRS, tests: DISTANCES * fields.len() as u64 });
-    groups.push(Group {
-        class: BITS,
-        tests: fields.iter().map(|field| 2 * u64::from(field.width)).sum(),
-    });
-    groups.push(Group { class: WORDS, tests: 2 * share });
-    groups.push(Group { class: triangle::RANDOM, tests: share });
+    let (share, each) = (count / ROWS_PER_TEST, fields.len() as u64);
+    let bits: u64 = fields.iter().map(|field| u64::from(field.width)).sum();
+    let tests = [
+        share.min(scene),
+        VALUES * each,
+        PLACES * each,
+        DISTANCES * each,
+        2 * bits,
+        2 * share,
+        share,
+    ];
+    let own = CLASSES.into_iter().zip(tests).map(|((class, _), tests)| Group { class, tests });
+    let of_triangles =
+        directed.iter().map(|class| Group { class: class.class, tests: class.tests.len() as u64 });
+    let mut groups: Vec<Group> = of_triangles.chain(own).collect();
     cut(&mut groups, count);
     groups
 }

@@ -197,10 +197,11 @@ impl Stream<'_> {
         let outputs = self.answers.iter().flat_map(Answer::ports_of_vhdl);
         let ports: Vec<String> =
             inputs.chain(outputs).map(|port| format!("            {port}")).collect();
-        let cut = self.cut_fields();
-        let cut =
-            cut.map(|field| format!("                    cfg.{0} := not cfg.{0};\n", field.id));
-        let cut: Vec<String> = cut.collect();
+        let inverted = |fields: &mut dyn Iterator<Item = &Field>| {
+            let line =
+                |field: &Field| format!("                    cfg.{0} := not cfg.{0};\n", field.id);
+            fields.map(line).collect::<Vec<_>>().concat()
+        };
         let text = fill(
             include_str!("../tb.stream.vhd.in"),
             &[
@@ -220,16 +221,8 @@ impl Stream<'_> {
                 ("OPEN", &each(&|answer| answer.fill(OPEN))),
                 ("WATCH", &each(&|answer| answer.fill(WATCH))),
                 ("READY", &each(&|answer| answer.fill(READY) + NOISE)),
-                (
-                    "SPOIL",
-                    &fields(&|field| {
-                        let id = &field.id;
-                        format!(
-                            "                cfg.{id} := cfg.{id} when DUMP else not cfg.{id};\n"
-                        )
-                    }),
-                ),
-                ("CUT", &cut.concat()),
+                ("SPOIL", &inverted(&mut self.cfg.fields.iter())),
+                ("CUT", &inverted(&mut self.cut_fields())),
                 ("COMPLETE", &all(" and ", &|answer| answer.complete())),
                 ("VALID", &all(" or ", &|answer| format!("{}valid = '1'", answer.prefix))),
                 ("MISSING", &each(&|answer| answer.keyed(MISSING))),
@@ -242,16 +235,7 @@ impl Stream<'_> {
                 ),
             ],
         );
-        fill(
-            &text,
-            &[
-                ("HALF", self.name),
-                ("DEVICE", self.device),
-                ("CFG", &self.cfg.constant()),
-                ("CFG_ID", &self.cfg.id),
-                ("CFG_SHAPE", self.cfg.shape().trim_end()),
-            ],
-        )
+        self.fill(&text)
     }
 
     /// The device in VHDL, and its parts, if this crate has it.
