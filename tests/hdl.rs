@@ -8,6 +8,8 @@ mod bench;
 mod blind;
 #[path = "hdl/cost.rs"]
 mod cost;
+#[path = "hdl/division.rs"]
+mod division;
 #[path = "hdl/equivalence.rs"]
 mod equivalence;
 #[path = "hdl/foreign.rs"]
@@ -36,6 +38,8 @@ mod tool;
 mod vhdl;
 #[path = "hdl/wave.rs"]
 mod wave;
+#[path = "hdl/words.rs"]
+mod words;
 
 // Clause J-7 is tested beside the C interface: bindings/c/tests.
 use libtest_mimic::Arguments;
@@ -81,6 +85,13 @@ fn main() {
         solver.trial("edge_words_fit_as_proved", formal::edges_fit),
         solver.trial("shipped_devices_are_proved_equal", equivalence::shipped_devices),
         solver.trial("a_foreign_device_is_proved_equal", equivalence::foreign_device),
+        solver.trial("shipped_set_ups_are_proved_equal", words::shipped),
+        solver.trial("foreign_set_ups_are_proved_equal", words::foreign),
+        solver.trial("set_ups_that_differ_are_refuted", words::differences),
+        solver.trial("set_ups_that_cannot_be_read_are_refused", words::refused),
+        solver.soak_trial("a_solver_of_bits_agrees_with_polynomials", words::bits_agree),
+        solver.trial("dividers_are_proved_equal", division::equal),
+        solver.trial("dividers_that_differ_are_refuted", division::differences),
         solver.trial("only_the_solvers_words_prove", equivalence::only_the_solvers_words_prove),
         solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
         solver.soak_trial("defects_of_steppers_are_refuted", blind::proof::defects),

@@ -5,7 +5,8 @@ use super::failure::Failure;
 use super::output::Output;
 use guardbit::profile;
 use guardbit::vector::equivalence::{
-    Answer, Block, EquivalenceError, Map, Question, Signal, Verdict, ports, prove,
+    Answer, Block, Counterexample, EquivalenceError, Map, Question, Refutation, Signal, Verdict,
+    WrongDivision, prove, template,
 };
 use std::collections::HashMap;
 use std::fs::File;
@@ -64,8 +65,7 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
     if arguments.map_template {
         let folder =
             tempfile::tempdir().map_err(|error| Failure::io("a temporary folder", &error))?;
-        let (module, ports) = ports(block, &arguments.rtl, folder.path(), limit)?;
-        output.text(Map::template(block, &module, &ports))?;
+        output.text(template(&profile, block, &arguments.rtl, folder.path(), limit)?)?;
         output.flush()?;
         return Ok(Outcome::Good);
     }
@@ -96,16 +96,33 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
         Verdict::Proved { engine, words } => {
             output.line(format!("PROVED by {engine} in {seconds:.1} s: {words}"))?;
         }
-        Verdict::Refuted { wave } => {
+        Verdict::Refuted(Refutation::Wave(wave)) => {
             output.line(format!("REFUTED in {seconds:.1} s; waves in {folder}/{wave}"))?;
             for line in rows(&arguments.out.join(wave), &answer)? {
                 output.line(line)?;
             }
         }
+        Verdict::Refuted(Refutation::Triangle(Counterexample { triangle, words })) => {
+            let finer = profile.vertex.to_input(triangle.xy);
+            let vertices = finer.into_iter().zip(triangle.z.unwrap_or_default());
+            let vertices: Vec<String> =
+                vertices.map(|([x, y], z)| format!("[{x},{y},{z}]")).collect();
+            let vertices = vertices.join(",");
+            output.line(format!(
+                "REFUTED in {seconds:.1} s by the triangle {{\"v\": [{vertices}]}}"
+            ))?;
+            for word in words {
+                output
+                    .line(format!("{:<11} got {:x}, want {:x}", word.name, word.got, word.want))?;
+            }
+        }
+        Verdict::Refuted(Refutation::Division(WrongDivision { numerator, divisor, got, want })) => {
+            output.line(format!(
+                "REFUTED in {seconds:.1} s by {numerator} / {divisor}: quotient got {got:x}, want {want:x}"
+            ))?;
+        }
         Verdict::Undecided { words } => {
             output.line(format!("UNDECIDED after {seconds:.1} s: {words}"))?;
-            output
-                .line("give more time with --limit, or narrower words in a profile of your own")?;
         }
     }
     for assumed in &answer.assumed {

@@ -183,6 +183,13 @@ impl VertexConfig {
         (low, if self.closed { limit } else { limit - 1 })
     }
 
+    /// Bits of a vertex coordinate: with its sign, and the one more that a closed field takes.
+    pub const fn bits(&self) -> u32 {
+        let (low, high) = self.range();
+        let magnitude = i128::BITS - high.leading_zeros();
+        if low < 0 { magnitude + 1 } else { magnitude }
+    }
+
     /// Bits of the difference of two vertex coordinates, sign included: the `k + s + 1` (half-open)
     /// or `k + s + 2` (closed) of edge coefficients. Spec clause `E-4`.
     pub const fn difference_bits(&self) -> u32 {

@@ -1,76 +1,32 @@
 //! Whether a module of a user's RTL is the unit of a profile, for all inputs and for all time: by free tools,
 //! against the reference of [`super::reference`]. Spec clause `J-9`.
 
+mod clauses;
+mod division;
 mod map;
 mod miter;
 mod netlist;
+mod polynomial;
+mod setup;
+mod simulate;
 mod tool;
+mod unit;
+mod words;
 mod work;
 
-pub use map::{Map, MapError, Reset};
-pub use netlist::Port;
+pub use division::WrongDivision;
+pub use map::{Map, MapError, Reset, Steps};
+pub use unit::{Block, Signal};
 
 use super::reference::{Language, ReferenceError, devices, package, reference};
 use crate::profile::Profile;
+use crate::setup::Triangle;
+use miter::Miter;
+use num_bigint::BigInt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
+use unit::Unit;
 use work::{Device, Work};
-
-/// The unit that a module is compared with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
-pub enum Block {
-    /// The depth DDA with its read-out.
-    Dda,
-    /// The edge stepper with its sign test.
-    EdgeStepper,
-}
-
-/// A signal of a unit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Signal {
-    /// Its name in a map.
-    pub name: &'static str,
-    /// Its port in the devices of `hdl` and in the reference.
-    pub port: &'static str,
-    /// Its bits.
-    pub width: u32,
-    /// Whether the unit answers it.
-    pub output: bool,
-}
-
-impl Block {
-    /// The module of `hdl` and of the reference.
-    pub const fn module(self) -> &'static str {
-        match self {
-            Self::Dda => "dda",
-            Self::EdgeStepper => "edge_stepper",
-        }
-    }
-
-    /// Its signals in a profile, beside clock and reset.
-    fn signals(self, [word, out]: [u32; 2]) -> [Signal; 6] {
-        let signal = |name, port, width, output| Signal { name, port, width, output };
-        match self {
-            Self::Dda => [
-                signal("op", "op", 2, false),
-                signal("init", "init", word, false),
-                signal("dx", "dx", word, false),
-                signal("dy", "dy", word, false),
-                signal("acc", "acc", word, true),
-                signal("out", "out_v", out, true),
-            ],
-            Self::EdgeStepper => [
-                signal("op", "op", 2, false),
-                signal("e0", "e0", word, false),
-                signal("ea", "ea", word, false),
-                signal("eb", "eb", word, false),
-                signal("e", "e", word, true),
-                signal("in", "in_v", 1, true),
-            ],
-        }
-    }
-}
 
 /// What was asked.
 #[derive(Clone, Debug)]
@@ -99,16 +55,44 @@ pub enum Verdict {
         /// Its own words.
         words: String,
     },
-    /// Some inputs do: a waveform of the folder shows them.
-    Refuted {
-        /// The file in the folder.
-        wave: &'static str,
-    },
+    /// Some inputs do.
+    Refuted(Refutation),
     /// Nobody knows.
     Undecided {
         /// What the tools said.
         words: String,
     },
+}
+
+/// What shows a difference.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Refutation {
+    /// Inputs from reset on: a waveform in the folder.
+    Wave(&'static str),
+    /// A triangle.
+    Triangle(Counterexample),
+    /// A division.
+    Division(WrongDivision),
+}
+
+/// A triangle, and words of it that differ.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Counterexample {
+    /// The triangle, in sub-pixels and depth codes.
+    pub triangle: Triangle,
+    /// The words.
+    pub words: Vec<Differing>,
+}
+
+/// A word that differs, as patterns.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Differing {
+    /// The signal.
+    pub name: &'static str,
+    /// The module's.
+    pub got: BigInt,
+    /// The model's.
+    pub want: BigInt,
 }
 
 /// A verdict, and what it rests on.
@@ -180,20 +164,23 @@ fn io(path: &Path) -> impl FnOnce(std::io::Error) -> EquivalenceError {
     |source| EquivalenceError::Io { path, source }
 }
 
-/// The module of a unit's name, or else the one that no other has in it, and its ports, as yosys reads them.
+/// A map to begin with: of the module of the unit's name, or else of the one that no other has in it.
 ///
 /// # Errors
-/// [`EquivalenceError`] if yosys is missing or does not read the files.
-pub fn ports(
+/// [`EquivalenceError`] if the profile has no reference, or yosys is missing or does not read the files.
+pub fn template(
+    profile: &Profile,
     block: Block,
     rtl: &[PathBuf],
     folder: &Path,
     limit: Duration,
-) -> Result<(String, Vec<Port>), EquivalenceError> {
+) -> Result<String, EquivalenceError> {
+    let unit = Unit::new(block, (profile, &devices(profile)?));
     let work = Work { folder, limit };
     let (read, _) = work.sources(rtl, None, &[])?;
     let named = work.ports(&read, Some(block.module()), &[]);
-    named.or_else(|_| work.ports(&read, None, &[]))
+    let (module, ports) = named.or_else(|_| work.ports(&read, None, &[]))?;
+    Ok(Map::template(&unit, &module, &ports))
 }
 
 /// Asks the tools.
@@ -205,12 +192,9 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     let begun = Instant::now();
     let Question { profile, block, rtl, folder, limit, .. } = *question;
     let text = reference(profile, Language::Sv)?;
-    let registers @ [read, edge] = devices(profile)?.registers();
-    let signals = block.signals(match block {
-        Block::Dda => [read.width(), read.integer()],
-        Block::EdgeStepper => [edge.width(), 1],
-    });
-    let mut own = Map::of_devices(block, &signals, registers);
+    let devices = devices(profile)?;
+    let unit = Unit::new(block, (profile, &devices));
+    let mut own = Map::of_devices(&unit);
     question.map.map_or(Ok(()), Map::is_spelt)?;
     std::fs::create_dir(folder).map_err(io(folder))?;
     let work = Work { folder, limit };
@@ -222,19 +206,30 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         }
         found => found?,
     };
-    let Device { read: source, parameters, ports } = found;
     let map = question.map.unwrap_or(&own);
-    let code_bits = map.fits(&signals, &ports)?;
-    let name = format!("{}_{}", package(profile), block.module());
-    work.write("reference.sv", &text)?;
-    work.write("miter.sv", &miter::text(&name, (map, code_bits), &parameters, &signals))?;
-    work.netlist(&source, &map.module)?;
-    let answer = |verdict| Answer {
+    let wiring = map.fits(&unit, &found.ports)?;
+    let answer = |verdict, assumed| Answer {
         verdict,
-        assumed: map.assumed(),
-        signals: signals.to_vec(),
+        assumed,
+        signals: unit.signals.clone(),
         seconds: begun.elapsed().as_secs_f64(),
     };
+    if block == Block::SetUp {
+        let (verdict, assumed) = setup::prove(question, (&devices, map, &wiring), (&work, &found))?;
+        return Ok(answer(verdict, assumed));
+    }
+    if block == Block::Divider {
+        let asked = (devices.depth.rounding, map, &wiring);
+        let (verdict, assumed) = division::prove(question, asked, (&work, &found))?;
+        return Ok(answer(verdict, assumed));
+    }
+    let Device { read: source, parameters, .. } = found;
+    let name = format!("{}_{}", package(profile), block.module());
+    work.write("reference.sv", &text)?;
+    let miter = Miter { map, wiring: &wiring, parameters: &parameters, unit: &unit };
+    work.write("miter.sv", &miter.text(&name))?;
+    work.netlist(&format!("{source}\nread_verilog -sv reference.sv"), &map.module)?;
+    let answer = |verdict| answer(verdict, map.assumed(&unit));
     // A proof in which nothing is ever compared would be none.
     let reached = work.pdr("compared", "bad")?;
     if !reached.is_some_and(|ran| ran.says("was asserted in frame")) {
@@ -248,7 +243,12 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         }
         other => {
             let said = other.map_or_else(
-                || format!("yosys-abc pdr ran longer than {} s", limit.as_secs()),
+                || {
+                    format!(
+                        "yosys-abc pdr ran longer than {} s: give more with --limit",
+                        limit.as_secs()
+                    )
+                },
                 |ran| format!("yosys-abc pdr: {}", ran.last()),
             );
             search(&work, map.latency, &said)?
@@ -267,7 +267,7 @@ fn search(work: &Work<'_>, latency: u32, said: &str) -> Result<Verdict, Equivale
     let depth = (latency + 12).to_string();
     let arguments = ["-s", "z3", "-t", &depth, "--noprogress", "--dump-vcd", WAVE, "miter.smt2"];
     match work.run("yosys-smtbmc", &arguments, "smtbmc.log")? {
-        Some(ran) if ran.says("Status: FAILED") => Ok(Verdict::Refuted { wave: WAVE }),
+        Some(ran) if ran.says("Status: FAILED") => Ok(Verdict::Refuted(Refutation::Wave(WAVE))),
         Some(ran) => undecided(format!("yosys-smtbmc, {depth} clocks: {}", ran.last())),
         None => undecided(format!("yosys-smtbmc ran longer than {} s", work.limit.as_secs())),
     }

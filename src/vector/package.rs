@@ -76,6 +76,22 @@ pub struct SetupParameters {
     pub half: bool,
 }
 
+impl SetupParameters {
+    /// The parameters of `triangle_setup` that it has alone.
+    pub(super) fn parameters(&self) -> [(&'static str, i128); 8] {
+        [
+            ("VS", self.signed.into()),
+            ("S", self.sub_pixel.into()),
+            ("SAMPLE_X", self.sample[0]),
+            ("SAMPLE_Y", self.sample[1]),
+            ("RULE", self.shadow.into()),
+            ("SHIFT", self.shift.into()),
+            ("ROUNDING", self.rounding.names().code.into()),
+            ("HALF", self.half.into()),
+        ]
+    }
+}
+
 /// What draws set-up words, as `triangle_engine` does it: edge functions and a depth plane over a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EngineParameters {

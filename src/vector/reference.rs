@@ -11,6 +11,7 @@ use crate::cover::EdgeWordConfig;
 use crate::format::{Clamp, ReadOut};
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
+use crate::setup::Triangle;
 
 /// The language of a reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +77,11 @@ pub fn reference(profile: &Profile, language: Language) -> Result<String, Refere
 /// [`ReferenceError`] as [`reference()`] has them.
 pub fn digests(profile: &Profile, seed: u64, cases: u64) -> Result<[u64; 4], ReferenceError> {
     Ok(stimulus::digests(profile, devices(profile)?.registers(), seed, cases))
+}
+
+/// The triangles of the self test, and more of them.
+pub(super) fn triangles(profile: &Profile, devices: &Devices, count: u64) -> Vec<Triangle> {
+    stimulus::triangles(profile, devices.depth.integer, count)
 }
 
 /// What draws a profile, or why it has no reference.
@@ -228,7 +234,7 @@ impl<'a> Parts<'a> {
 }
 
 /// When the magnitude of a quotient is raised, in C and SystemVerilog. Clause `R-1`.
-const fn rounds_up(rounding: Rounding) -> &'static str {
+pub(super) const fn rounds_up(rounding: Rounding) -> &'static str {
     match rounding {
         Rounding::Floor => "inexact && negative",
         Rounding::Ceiling => "inexact && !negative",

@@ -7,7 +7,7 @@ use std::path::Path;
 const HDL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/hdl");
 
 /// Asks in a folder; the proof's own folder is fresh.
-fn ask(home: &Path, question: &str) -> Ran {
+pub(crate) fn ask(home: &Path, question: &str) -> Ran {
     let proof = home.join("guardbit-proof");
     if proof.exists() {
         std::fs::remove_dir_all(&proof).unwrap();

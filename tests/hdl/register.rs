@@ -89,7 +89,8 @@ pub(crate) fn wired_defects(_: &str) {
     let mut missed = Vec::new();
     for (profile, device, defects) in WIRED {
         // Fewer rows of what takes a simulator a minute.
-        let count = if profile.starts_with("n64") { 3000 } else { 8000 };
+        let slow = ["n64", "n64-rtl", "psp"].contains(&profile);
+        let count = if slow { 2500 } else { 8000 };
         let set = Set::new(&format!("{profile} --count {count}"));
         let ours = set.read("dut.sv");
         for (old, new) in defects {

@@ -1,115 +1,166 @@
 //! The text in which a module and a reference get the same inputs, and their answers are compared.
 
+use super::map::Wiring;
+use super::unit::Unit;
 use super::{Map, Signal};
 use std::fmt::Write as _;
 
-fn range(width: u32) -> String {
+pub(super) fn range(width: u32) -> String {
     if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
 }
 
-/// The miter of a module with the reference's module `name`.
-pub(super) fn text(
-    name: &str,
-    (map, code_bits): (&Map, u32),
-    parameters: &[(String, i64)],
-    signals: &[Signal; 6],
-) -> String {
-    let mut text = String::from(
-        "// Written by guardbit prove --rtl. A module and its reference get the same inputs; bad is high where\n\
-         // their answers differ, compared where they are looked at.\nmodule guardbit_miter (\n    input wire clk,\n    input wire rst",
-    );
-    let inputs = signals.iter().filter(|signal| !signal.output);
-    let outputs: Vec<&Signal> = signals
-        .iter()
-        .filter(|signal| signal.output && map.ports.contains_key(signal.name))
-        .collect();
-    for input in inputs.clone() {
-        let _ = write!(text, ",\n    input wire {}{}", range(input.width), input.name);
+/// What a miter is written from.
+pub(super) struct Miter<'a> {
+    pub(super) map: &'a Map,
+    pub(super) wiring: &'a Wiring,
+    /// The parameters that the module is given.
+    pub(super) parameters: &'a [(String, i128)],
+    pub(super) unit: &'a Unit,
+}
+
+impl Miter<'_> {
+    /// The miter of the module with the reference's module `name`.
+    pub(super) fn text(&self, name: &str) -> String {
+        [self.head(), self.reference(name), self.device(), self.compared()].concat()
     }
-    text += ",\n    output wire compared,\n    output wire bad\n);\n    // The first clock is a reset.\n    reg started = 1'b0;\n    \
-             always @(posedge clk) started <= 1'b1;\n";
-    let free = if map.reset.is_some() { "rst || !started" } else { "!started" };
-    let _ = writeln!(text, "    wire reset = {free};");
-    // The reference.
-    let ports: Vec<String> = signals
-        .iter()
-        .map(|signal| {
-            let want = if signal.output {
-                format!("want_{}", signal.name)
+
+    fn inputs(&self) -> impl Iterator<Item = &Signal> {
+        self.unit.signals.iter().filter(|signal| !signal.output)
+    }
+
+    /// The outputs that are compared.
+    fn outputs(&self) -> impl Iterator<Item = &Signal> {
+        let signals = self.unit.signals.iter();
+        signals.filter(|signal| signal.output && self.map.ports.contains_key(signal.name))
+    }
+
+    fn is_clocked(&self) -> bool {
+        !self.unit.block.operations().is_empty()
+    }
+
+    /// Ports, the first clock, and inputs that stand still.
+    fn head(&self) -> String {
+        let mut text = String::from(
+            "// Written by guardbit prove --rtl. A module and its reference get the same inputs; bad is high where\n\
+             // their answers differ, compared where they are looked at.\nmodule guardbit_miter (\n    \
+             input wire clk,\n    input wire rst",
+        );
+        let is_held = |signal: &Signal| self.map.held && signal.name != "op";
+        for input in self.inputs() {
+            let next = if is_held(input) { "next_" } else { "" };
+            let _ = write!(text, ",\n    input wire {}{next}{}", range(input.width), input.name);
+        }
+        let free = if self.map.reset.is_some() { "rst || !started" } else { "!started" };
+        let _ = writeln!(
+            text,
+            ",\n    output wire compared,\n    output wire bad\n);\n    // The first clock is a reset.\n    \
+             reg started = 1'b0;\n    always @(posedge clk) started <= 1'b1;\n    wire reset = {free};"
+        );
+        for input in self.inputs().filter(|input| is_held(input)) {
+            let (name, range) = (input.name, range(input.width));
+            let _ = writeln!(
+                text,
+                "    reg {range}last_{name};\n    wire {range}{name} = op == 2'd0 ? next_{name} : last_{name};\n    \
+                 always @(posedge clk) last_{name} <= {name};"
+            );
+        }
+        text
+    }
+
+    fn reference(&self, name: &str) -> String {
+        let mut text = String::new();
+        let mut ports = Vec::new();
+        if self.is_clocked() {
+            ports.push(".clk(clk), .rst(reset)".to_owned());
+        }
+        for signal in &self.unit.signals {
+            let want = if signal.output { "want_" } else { "" };
+            ports.push(format!(".{}({want}{})", signal.port, signal.name));
+            if signal.output {
+                let _ = writeln!(text, "    wire {}want_{};", range(signal.width), signal.name);
+            }
+        }
+        let _ = writeln!(text, "    {name} reference ({});", ports.join(", "));
+        text
+    }
+
+    fn device(&self) -> String {
+        let map = self.map;
+        let mut text = String::new();
+        let mut pins: Vec<String> =
+            self.wiring.clock.iter().map(|clock| format!(".{clock}(clk)")).collect();
+        if let Some(reset) = &map.reset {
+            let level = if reset.active_low { "!reset" } else { "reset" };
+            pins.push(format!(".{}({level})", reset.port));
+        }
+        for (port, value) in &map.constants {
+            pins.push(format!(".{port}(64'd{value})"));
+        }
+        for signal in self.inputs() {
+            let Some(port) = map.ports.get(signal.name) else { continue };
+            let given = if signal.name == "op" {
+                let codes = map.codes(self.unit);
+                let last = codes.len() - 1;
+                let chosen = codes[..last].iter().enumerate();
+                text += "    wire [31:0] code = ";
+                for (op, code) in chosen {
+                    let _ = write!(text, "op == 2'd{op} ? {code} : ");
+                }
+                let _ = writeln!(text, "{};", codes[last]);
+                format!("code[{}:0]", self.wiring.code_bits - 1)
             } else {
                 signal.name.to_owned()
             };
-            format!(".{}({want})", signal.port)
-        })
-        .collect();
-    for signal in signals.iter().filter(|signal| signal.output) {
-        let _ = writeln!(text, "    wire {}want_{};", range(signal.width), signal.name);
-    }
-    let _ = writeln!(text, "    {name} reference (.clk(clk), .rst(reset), {});", ports.join(", "));
-    // The module.
-    let mut pins = vec![format!(".{}(clk)", map.clock)];
-    if let Some(reset) = &map.reset {
-        let level = if reset.active_low { "!reset" } else { "reset" };
-        pins.push(format!(".{}({level})", reset.port));
-    }
-    for (port, value) in &map.constants {
-        pins.push(format!(".{port}(64'd{value})"));
-    }
-    for signal in inputs {
-        let Some(port) = map.ports.get(signal.name) else { continue };
-        let given = if signal.name == "op" {
-            let [load, step_x, step_y, hold] = map.codes();
-            let _ = writeln!(
-                text,
-                "    wire [31:0] code = op == 2'd0 ? {load} : op == 2'd1 ? {step_x} : op == 2'd2 ? {step_y} : {hold};"
-            );
-            format!("code[{}:0]", code_bits - 1)
-        } else {
-            signal.name.to_owned()
-        };
-        pins.push(format!(".{port}({given})"));
-    }
-    for output in &outputs {
-        let _ = writeln!(text, "    wire {}got_{};", range(output.width), output.name);
-        pins.push(format!(".{}(got_{})", map.ports[output.name], output.name));
-    }
-    let set: Vec<String> =
-        parameters.iter().map(|(name, value)| format!(".{name}({value})")).collect();
-    let set = if set.is_empty() { String::new() } else { format!("#({}) ", set.join(", ")) };
-    let _ = writeln!(text, "    {} {set}device ({});", map.module, pins.join(", "));
-    // What the reference answered some clocks ago.
-    let late = |name: &str, clocks: u32| {
-        if clocks == 0 { format!("want_{name}") } else { format!("want_{name}_{clocks}") }
-    };
-    for output in &outputs {
-        for clocks in 1..=map.latency {
-            let (now, before) = (late(output.name, clocks), late(output.name, clocks - 1));
-            let _ = writeln!(
-                text,
-                "    reg {}{now};\n    always @(posedge clk) {now} <= {before};",
-                range(output.width)
-            );
+            pins.push(format!(".{port}({given})"));
         }
+        for output in self.outputs() {
+            let _ = writeln!(text, "    wire {}got_{};", range(output.width), output.name);
+            pins.push(format!(".{}(got_{})", map.ports[output.name], output.name));
+        }
+        let set = self.parameters.iter().map(|(name, value)| format!(".{name}({value})"));
+        let set = set.collect::<Vec<_>>().join(", ");
+        let set = if set.is_empty() { set } else { format!("#({set}) ") };
+        let _ = writeln!(text, "    {} {set}device ({});", map.module, pins.join(", "));
+        text
     }
-    let differ: Vec<String> = outputs
-        .iter()
-        .map(|output| format!("got_{} != {}", output.name, late(output.name, map.latency)))
-        .collect();
-    let known = if map.reset.is_some() {
-        "    wire known = started;\n".to_owned()
-    } else {
-        "    // Without a reset the register is known once it has been loaded.\n    reg known = 1'b0;\n    \
-         always @(posedge clk) known <= known || (started && op == 2'd0);\n"
-            .to_owned()
-    };
-    let _ = write!(
-        text,
-        "{known}    // Clocks since then, and since the last reset: what is under way is not compared.\n    \
-         reg [6:0] age = 7'd0;\n    \
-         always @(posedge clk) age <= reset || !known ? 7'd0 : age == 7'd{0} ? age : age + 7'd1;\n    \
-         assign compared = known && !reset && age == 7'd{0};\n    assign bad = compared && ({1});\n    always @* assert (!bad);\nendmodule\n",
-        map.latency,
-        differ.join(" || ")
-    );
-    text
+
+    /// Where the answers are looked at, and what differs there.
+    fn compared(&self) -> String {
+        let map = self.map;
+        let mut text = String::new();
+        // What the reference answered some clocks ago.
+        let late = |name: &str, clocks: u32| {
+            if clocks == 0 { format!("want_{name}") } else { format!("want_{name}_{clocks}") }
+        };
+        for output in self.outputs() {
+            for clocks in 1..=map.latency {
+                let (now, before) = (late(output.name, clocks), late(output.name, clocks - 1));
+                let _ = writeln!(
+                    text,
+                    "    reg {}{now};\n    always @(posedge clk) {now} <= {before};",
+                    range(output.width)
+                );
+            }
+        }
+        let differ = self
+            .outputs()
+            .map(|output| format!("got_{} != {}", output.name, late(output.name, map.latency)));
+        let differ = differ.collect::<Vec<_>>().join(" || ");
+        text += if self.is_clocked() && map.awaits_a_load() {
+            "    // The registers are known once they have been loaded.\n    reg known = 1'b0;\n    \
+             always @(posedge clk) known <= !reset && (known || op == 2'd0);\n"
+        } else {
+            "    wire known = started;\n"
+        };
+        let latency = map.latency;
+        let _ = write!(
+            text,
+            "    // Clocks since then, and since the last reset: what is under way is not compared.\n    \
+             reg [6:0] age = 7'd0;\n    \
+             always @(posedge clk) age <= reset || !known ? 7'd0 : age == 7'd{latency} ? age : age + 7'd1;\n    \
+             assign compared = known && !reset && age == 7'd{latency};\n    \
+             assign bad = compared && ({differ});\n    always @* assert (!bad);\nendmodule\n"
+        );
+        text
+    }
 }

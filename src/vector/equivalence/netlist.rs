@@ -1,17 +1,17 @@
 //! What yosys writes of a design as JSON: its ports, and the cells that no proof here takes.
 
 use serde::Deserialize;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A port of a module.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Port {
+pub(super) struct Port {
     /// Its name.
-    pub name: String,
+    pub(super) name: String,
     /// Its bits.
-    pub width: u32,
+    pub(super) width: u32,
     /// Whether the module drives it.
-    pub output: bool,
+    pub(super) output: bool,
 }
 
 #[derive(Deserialize)]
@@ -24,7 +24,14 @@ struct Module {
     #[serde(default)]
     attributes: BTreeMap<String, serde_json::Value>,
     ports: BTreeMap<String, JsonPort>,
-    cells: BTreeMap<String, Cell>,
+    cells: BTreeMap<String, JsonCell>,
+    #[serde(default)]
+    netnames: BTreeMap<String, NetName>,
+}
+
+#[derive(Deserialize)]
+struct NetName {
+    bits: Vec<serde_json::Value>,
 }
 
 #[derive(Deserialize)]
@@ -34,9 +41,11 @@ struct JsonPort {
 }
 
 #[derive(Deserialize)]
-struct Cell {
+struct JsonCell {
     #[serde(rename = "type")]
     kind: String,
+    #[serde(default)]
+    attributes: BTreeMap<String, serde_json::Value>,
     #[serde(default)]
     parameters: BTreeMap<String, serde_json::Value>,
     #[serde(default)]
@@ -66,6 +75,106 @@ pub(super) fn top(text: &str) -> Result<(String, Vec<Port>), String> {
         ports.push(Port { name, width, output: port.direction == "output" });
     }
     Ok((name, ports))
+}
+
+/// A bit of a flat netlist.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bit {
+    /// A wire.
+    Net(u64),
+    /// 0.
+    Zero,
+    /// 1.
+    One,
+    /// X, or nothing.
+    Free,
+}
+
+/// A cell of yosys.
+pub(super) struct Cell {
+    pub(super) kind: String,
+    /// Where it is from.
+    pub(super) src: Option<String>,
+    /// Parameters that are not zero.
+    flags: BTreeSet<String>,
+    pub(super) wires: BTreeMap<String, Vec<Bit>>,
+}
+
+impl Cell {
+    /// Whether a parameter is not zero.
+    pub(super) fn is(&self, parameter: &str) -> bool {
+        self.flags.contains(parameter)
+    }
+
+    /// Some bits of the output alone, if the cell works bit by bit.
+    pub(super) fn part(&self, place: u32, count: u32) -> Option<Self> {
+        let (inputs, output): (&[&str], _) = match self.kind.as_str() {
+            "$mux" | "$and" | "$or" | "$xor" | "$xnor" => (&["A", "B"], "Y"),
+            "$not" => (&["A"], "Y"),
+            kind if kind.contains("dff") => (&["D"], "Q"),
+            _ => return None,
+        };
+        let width = self.wires.get(output)?.len();
+        let (from, to) = (place as usize, (place + count) as usize);
+        let mut wires = self.wires.clone();
+        for port in inputs.iter().chain([&output]) {
+            let bits = wires.get_mut(*port).filter(|bits| bits.len() == width)?;
+            *bits = bits.get(from..to)?.to_vec();
+        }
+        Some(Self {
+            kind: self.kind.clone(),
+            src: self.src.clone(),
+            flags: self.flags.clone(),
+            wires,
+        })
+    }
+}
+
+/// Bits of a name, lowest first.
+pub(super) struct Wire {
+    pub(super) bits: Vec<Bit>,
+    pub(super) output: bool,
+}
+
+/// A flat module: its ports, all its names, and its cells.
+pub(super) struct Flat {
+    pub(super) ports: BTreeMap<String, Wire>,
+    pub(super) names: BTreeMap<String, Vec<Bit>>,
+    pub(super) cells: BTreeMap<String, Cell>,
+}
+
+fn bits(values: &[serde_json::Value]) -> Vec<Bit> {
+    let bit = |value: &serde_json::Value| match (value.as_u64(), value.as_str()) {
+        (Some(net), _) => Bit::Net(net),
+        (_, Some("0")) => Bit::Zero,
+        (_, Some("1")) => Bit::One,
+        _ => Bit::Free,
+    };
+    values.iter().map(bit).collect()
+}
+
+/// A flat netlist with its bits.
+pub(super) fn flat(text: &str) -> Result<Flat, String> {
+    let (_, module) = parse(text)?;
+    let ports = module.ports.into_iter();
+    let wire = |port: JsonPort| Wire { bits: bits(&port.bits), output: port.direction == "output" };
+    let is_set = |value: &serde_json::Value| value.as_str().is_some_and(|bits| bits.contains('1'));
+    let cell = |cell: JsonCell| Cell {
+        kind: cell.kind,
+        src: cell.attributes.get("src").and_then(|src| src.as_str()).map(str::to_owned),
+        flags: cell
+            .parameters
+            .into_iter()
+            .filter(|(_, value)| is_set(value))
+            .map(|(name, _)| name)
+            .collect(),
+        wires: cell.connections.into_iter().map(|(port, wires)| (port, bits(&wires))).collect(),
+    };
+    Ok(Flat {
+        ports: ports.map(|(name, port)| (name, wire(port))).collect(),
+        names: module.netnames.into_iter().map(|(name, net)| (name, bits(&net.bits))).collect(),
+        cells: module.cells.into_iter().map(|(name, own)| (name, cell(own))).collect(),
+    })
 }
 
 /// Whether a flat netlist has nothing but registers on the rising edge of the one clock, and gates.

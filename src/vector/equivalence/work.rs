@@ -1,12 +1,14 @@
 //! The folder of a question, and the tools that run in it.
 
+use super::map::Steps;
+use super::netlist::{self, Port};
 use super::tool::{self, Ran};
-use super::{EquivalenceError, Map, Port, io, netlist};
+use super::{EquivalenceError, Map, io};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// Parameters of a module, with their values.
-type Parameters = [(String, i64)];
+type Parameters = [(String, i128)];
 
 /// The folder of a question, and what runs in it.
 pub(super) struct Work<'a> {
@@ -19,9 +21,18 @@ pub(super) struct Device {
     /// How yosys reads it.
     pub(super) read: String,
     /// The parameters that yosys has to set.
-    pub(super) parameters: Vec<(String, i64)>,
+    pub(super) parameters: Vec<(String, i128)>,
     pub(super) ports: Vec<Port>,
 }
+
+/// A product is one cell on both sides, however its operands are ordered: no solver tells two multipliers
+/// equal by their gates.
+const WIDER_FIRST: &str = "(* techmap_celltype = \"$mul\" *)\nmodule wider_first (A, B, Y);\n    \
+    parameter A_SIGNED = 0, B_SIGNED = 0, A_WIDTH = 1, B_WIDTH = 1, Y_WIDTH = 1;\n    \
+    input [A_WIDTH-1:0] A;\n    input [B_WIDTH-1:0] B;\n    output [Y_WIDTH-1:0] Y;\n    \
+    wire _TECHMAP_FAIL_ = A_WIDTH >= B_WIDTH;\n    \
+    \\$mul #(.A_SIGNED(B_SIGNED), .B_SIGNED(A_SIGNED), .A_WIDTH(B_WIDTH), .B_WIDTH(A_WIDTH), .Y_WIDTH(Y_WIDTH))\n        \
+    _TECHMAP_REPLACE_ (.A(B), .B(A), .Y(Y));\nendmodule\n";
 
 impl Work<'_> {
     pub(super) fn write(&self, name: &str, text: &str) -> Result<(), EquivalenceError> {
@@ -122,7 +133,7 @@ impl Work<'_> {
 
     /// A map's module, as yosys sees it.
     pub(super) fn device(&self, rtl: &[PathBuf], map: &Map) -> Result<Device, EquivalenceError> {
-        let parameters: Vec<(String, i64)> = map.parameters.clone().into_iter().collect();
+        let parameters: Vec<(String, i128)> = map.parameters.clone().into_iter().collect();
         let (read, parameters) = self.sources(rtl, Some(&map.module), &parameters)?;
         let (_, ports) = self.ports(&read, Some(&map.module), parameters)?;
         Ok(Device { read, parameters: parameters.to_vec(), ports })
@@ -136,10 +147,7 @@ impl Work<'_> {
         parameters: &Parameters,
     ) -> Result<(String, Vec<Port>), EquivalenceError> {
         let top = module.map_or_else(|| "-auto-top".to_owned(), |name| format!("-top {name}"));
-        let mut set = String::new();
-        for (name, value) in parameters {
-            set.extend([" -chparam ", name, " ", &value.to_string()]);
-        }
+        let set = set(parameters);
         let script = format!("{read}\nhierarchy -check {top}{set}\nproc\nwrite_json ports.json\n");
         self.yosys("ports", &script)?;
         netlist::top(&self.read("ports.json")?).map_err(|what| EquivalenceError::Design {
@@ -152,10 +160,11 @@ impl Work<'_> {
     pub(super) fn netlist(&self, device: &str, module: &str) -> Result<(), EquivalenceError> {
         // What is checked is what stands there before a latch can be made a register.
         let script = format!(
-            "{device}\nchformal -remove\nread_verilog -sv reference.sv\n\
+            "{device}\nchformal -remove\n\
              read_verilog -sv -formal miter.sv\nhierarchy -check -top guardbit_miter\nproc\nflatten\n\
              setundef -undriven -anyseq\nmemory\nopt_clean\ncheck\nwrite_json netlist.json\n\
-             async2sync\nopt_clean\nwrite_rtlil netlist.il\n"
+             async2sync\nopt_clean\nwrite_json clocked.json\n\
+             write_rtlil netlist.il\n"
         );
         self.yosys("netlist", &script)?;
         let wrong = |what| EquivalenceError::Design { module: module.to_owned(), what };
@@ -164,23 +173,96 @@ impl Work<'_> {
             let what = "it has a loop without a register, whose cells are in";
             return Err(wrong(format!("{what} {}", log.display())));
         }
+        self.has_one_driver("netlist.log", module)?;
         netlist::check(&self.read("netlist.json")?).map_err(wrong)
     }
 
-    /// Asks whether one of the netlist's two outputs can ever be high.
-    pub(super) fn pdr(&self, output: &str, other: &str) -> Result<Option<Ran>, EquivalenceError> {
+    /// The module, flat, with some of its wires as outputs: written for `read_rtlil opened.il`. Gives the wires by
+    /// the names that lemmas have for them.
+    pub(super) fn opened<'s>(
+        &self,
+        device: &Device,
+        map: &Map,
+        steps: &'s Steps,
+    ) -> Result<Vec<(&'s str, Port)>, EquivalenceError> {
+        let mut script = format!(
+            "{}\nchformal -remove\nhierarchy -check -top {}{}\nproc\nflatten\nopt_clean\n",
+            device.read,
+            map.module,
+            set(&device.parameters)
+        );
+        for wire in steps.wires.values() {
+            script.extend(["expose w:", wire, "\n"]);
+        }
+        script += "rename -top guardbit_device\nwrite_json opened.json\nwrite_rtlil opened.il\n";
+        self.yosys("opened", &script)?;
+        let design = |what| EquivalenceError::Design { module: map.module.clone(), what };
+        let (_, ports) = netlist::top(&self.read("opened.json")?).map_err(design)?;
+        let find = |(name, wire): (&'s String, &'s String)| {
+            let port = ports.iter().find(|port| port.name == *wire).cloned();
+            let what = format!("[division.wires] {name}: the module has no wire {wire}");
+            port.map(|port| (name.as_str(), port)).ok_or_else(|| design(what))
+        };
+        steps.wires.iter().map(find).collect()
+    }
+
+    /// The module as a flat netlist of words, `words.json`, and with plain registers, `clocked.json`.
+    pub(super) fn words(&self, device: &Device, module: &str) -> Result<(), EquivalenceError> {
+        let set = set(&device.parameters);
+        let script = format!(
+            "{}\nchformal -remove\nhierarchy -check -top {module}{set}\nproc\nflatten\ncheck\nopt_expr\nopt_clean\n\
+             pmuxtree\nmemory\nopt_dff -nosdff\nopt_expr\nopt_merge\nopt_clean\nwrite_json words.json\n\
+             dffunmap\nasync2sync\nopt_clean\nwrite_json clocked.json\n",
+            device.read
+        );
+        self.yosys("words", &script)?;
+        self.has_one_driver("words.log", module)
+    }
+
+    /// Whether yosys found that two things drive a wire.
+    fn has_one_driver(&self, log: &str, module: &str) -> Result<(), EquivalenceError> {
+        let text = self.read(log)?;
+        let Some(line) = text.lines().find(|line| line.contains("conflicting drivers")) else {
+            return Ok(());
+        };
+        let what = format!("two things drive one wire: {}", line.trim());
+        Err(EquivalenceError::Design { module: module.to_owned(), what })
+    }
+
+    /// One of the netlist's two outputs as gates.
+    pub(super) fn gates(&self, output: &str, other: &str) -> Result<(), EquivalenceError> {
+        self.write("products.v", WIDER_FIRST)?;
         self.yosys(
             &format!("aiger-{output}"),
             &format!(
                 "read_rtlil netlist.il\nchformal -remove\ndelete -output w:{other}\n\
-                 formalff -clk2ff -ff2anyinit\ntechmap\nopt_clean\nabc -g AND -fast\nopt_clean\n\
+                 opt_expr\nwreduce\ntechmap -map products.v\nopt_expr\nopt_merge\nformalff -clk2ff -ff2anyinit\ntechmap\nopt_clean\nabc -g AND -fast\nopt_clean\n\
                  write_aiger -zinit {output}.aig\n"
             ),
-        )?;
+        )
+    }
+
+    /// Asks whether one of the netlist's two outputs can ever be high.
+    pub(super) fn pdr(&self, output: &str, other: &str) -> Result<Option<Ran>, EquivalenceError> {
+        self.gates(output, other)?;
         // What both sides have in common is found first; pdr alone takes minutes for some adders.
-        let command = format!("read_aiger {output}.aig; strash; scorr; pdr");
+        self.abc(output, "scorr; pdr")
+    }
+
+    /// Lets abc work on one of the outputs that [`Work::gates`] has written.
+    pub(super) fn abc(&self, output: &str, how: &str) -> Result<Option<Ran>, EquivalenceError> {
+        let command = format!("read_aiger {output}.aig; strash; {how}");
         self.run("yosys-abc", &["-c", &command], &format!("{output}.log"))
     }
+}
+
+/// How yosys sets parameters of the top module.
+fn set(parameters: &Parameters) -> String {
+    let mut text = String::new();
+    for (name, value) in parameters {
+        text.extend([" -chparam ", name, " ", &value.to_string()]);
+    }
+    text
 }
 
 /// The names of files in a script of yosys.

@@ -244,19 +244,10 @@ impl Values {
 
     /// With those of the set-up.
     pub(super) fn and_setup(mut self, setup: &SetupParameters) -> Self {
-        self.0.extend([
-            ("VS", setup.signed.into()),
-            ("S", setup.sub_pixel.into()),
-            ("SAMPLE_X", setup.sample[0]),
-            ("SAMPLE_Y", setup.sample[1]),
-            ("RULE", setup.shadow.into()),
-            ("SHIFT", setup.shift.into()),
-            ("ROUNDING", setup.rounding.names().code.into()),
-            ("HALF", setup.half.into()),
-            // A bit a clock is for hardware: in an event-driven simulator it takes most of a bench's
-            // time.
-            ("SERIAL", 0),
-        ]);
+        self.0.extend(setup.parameters());
+        // A bit a clock is for hardware: in an event-driven simulator it takes most of a bench's
+        // time.
+        self.0.push(("SERIAL", 0));
         self
     }
 

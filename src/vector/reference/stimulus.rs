@@ -91,6 +91,14 @@ impl Stimulus<'_> {
     }
 }
 
+/// Triangles anywhere, near each other, on half pixels, and at the ends of depth.
+pub(super) fn triangles(profile: &Profile, integer: u32, count: u64) -> Vec<Triangle> {
+    let clip = ready(profile, true).clip();
+    let size = [clip.x1, clip.y1].map(i128::from);
+    let mut given = Stimulus { random: Random(1), profile, size };
+    (0..count).map(|n| given.triangle(n & 3, integer)).collect()
+}
+
 /// A register that is loaded and stepped by random words.
 fn clock(walker: &mut Walker, op: Op, width: u32, random: &mut Random) {
     let [init, dx, dy] = [(); 3].map(|()| random.word(width));

@@ -184,14 +184,22 @@ impl RegisterStimulus {
         self.host.words(&self.scene[place(index) % self.scene.len()])
     }
 
-    /// Each field at both ends of its range, with one bit set, and with one bit clear.
+    /// Each field at both ends of its range, with one bit set, and with one bit clear; then the same with switches
+    /// at random: a field may do nothing until another one lets it.
     fn ends(&self, index: u64) -> Vec<u32> {
-        let field = self.fields[place(index / VALUES)];
-        let words = self.drawing(index / VALUES);
+        let round = index / VALUES;
+        let field = self.fields[place(round / 2)];
+        let mut words = self.drawing(round / 2);
+        let mut draw = self.draw(3, index);
         let (all, top) = (field.ones(), 1 << (field.width - 1));
-        let one = 1 << self.draw(3, index).below(field.width.into());
+        let one = 1 << draw.below(field.width.into());
+        if !round.is_multiple_of(2) {
+            for switch in self.fields.iter().filter(|other| other.width == 1) {
+                words = switch.set(&words, low(draw.below(2)));
+            }
+        }
         let end = [0, all, top, all ^ top, one, all ^ one][place(index % VALUES)];
-        self.bounded(field.set(&words, end), words)
+        self.bounded(field.set(&words, end), self.drawing(round / 2))
     }
 
     /// Each field at a place that the words draw.
@@ -319,7 +327,7 @@ fn groups(directed: &[Directed<Triangle>], scene: u64, fields: &[Field], count: 
     let bits: u64 = fields.iter().map(|field| u64::from(field.width)).sum();
     let tests = [
         share.min(scene),
-        VALUES * each,
+        2 * VALUES * each,
         PLACES * each,
         DISTANCES * each,
         2 * bits,

@@ -1,0 +1,225 @@
+//! The units that a module is compared with: their signals, operations and parameters.
+
+use crate::format::ReadOut;
+use crate::profile::Profile;
+use crate::vector::write::Devices;
+
+/// The unit that a module is compared with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Block {
+    /// What is read out of a depth accumulator, without a register.
+    ReadOut,
+    /// The depth DDA with its read-out.
+    Dda,
+    /// The edge stepper with its sign test.
+    EdgeStepper,
+    /// An edge function over a box, sample by sample.
+    EdgeEvaluator,
+    /// A depth plane over a box, sample by sample.
+    DepthEvaluator,
+    /// Edge words and plane numerators of a triangle, without the division.
+    SetUp,
+    /// The divider of the plane, with its rounding: its bits are those of the module.
+    Divider,
+}
+
+/// A signal of a unit.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Signal {
+    /// Its name in a map.
+    pub name: &'static str,
+    /// Its port in the devices of `hdl` and in the reference.
+    pub port: &'static str,
+    /// Its bits.
+    pub width: u32,
+    /// Whether the unit answers it.
+    pub output: bool,
+}
+
+const fn input(name: &'static str, port: &'static str, width: u32) -> Signal {
+    Signal { name, port, width, output: false }
+}
+
+const fn output(name: &'static str, port: &'static str, width: u32) -> Signal {
+    Signal { name, port, width, output: true }
+}
+
+/// Bits of a pixel coordinate, as the evaluators of `hdl` have it.
+const COORDINATE: u32 = 17;
+
+/// A unit of a profile.
+pub(super) struct Unit {
+    pub(super) block: Block,
+    /// Its signals, beside clock and reset.
+    pub(super) signals: Vec<Signal>,
+    /// The parameters of the device in `hdl`.
+    pub(super) parameters: Vec<(&'static str, i128)>,
+}
+
+impl Block {
+    /// The module of `hdl` and of the reference.
+    pub const fn module(self) -> &'static str {
+        match self {
+            Self::ReadOut => "read_out",
+            Self::Dda => "dda",
+            Self::EdgeStepper => "edge_stepper",
+            Self::EdgeEvaluator => "edge_evaluator",
+            Self::DepthEvaluator => "depth_evaluator",
+            Self::SetUp => "triangle_setup",
+            Self::Divider => "setup_divider",
+        }
+    }
+
+    /// Whether it has registers.
+    pub(super) const fn is_clocked(self) -> bool {
+        !matches!(self, Self::ReadOut | Self::SetUp)
+    }
+
+    /// The operations, in the order of their codes; the first one loads.
+    pub(super) const fn operations(self) -> &'static [&'static str] {
+        match self {
+            Self::ReadOut | Self::SetUp | Self::Divider => &[],
+            Self::Dda | Self::EdgeStepper => &["load", "step-x", "step-y", "hold"],
+            Self::EdgeEvaluator | Self::DepthEvaluator => &["corner", "sample", "row", "hold"],
+        }
+    }
+}
+
+impl Unit {
+    /// A unit of the devices of a profile.
+    pub(super) fn new(block: Block, (profile, devices): (&Profile, &Devices)) -> Self {
+        let [read, edge] = devices.registers();
+        let [word, out, m] = [read.width(), read.integer(), edge.width()];
+        let op = input("op", "op", 2);
+        let same = |name, width| input(name, name, width);
+        let [x, y] = ["box_x_begin", "box_y_begin"].map(|name| same(name, COORDINATE));
+        let coordinate = ("C", COORDINATE.into());
+        let (signals, parameters) = match block {
+            Block::ReadOut => {
+                (vec![input("acc", "acc", word), output("out", "out_v", out)], of_read_out(read))
+            }
+            Block::Dda => (
+                vec![
+                    op,
+                    input("init", "init", word),
+                    input("dx", "dx", word),
+                    input("dy", "dy", word),
+                    output("acc", "acc", word),
+                    output("out", "out_v", out),
+                ],
+                of_read_out(read),
+            ),
+            Block::EdgeStepper => (
+                vec![
+                    op,
+                    input("e0", "e0", m),
+                    input("ea", "ea", m),
+                    input("eb", "eb", m),
+                    output("e", "e", m),
+                    output("in", "in_v", 1),
+                ],
+                vec![("M", m.into())],
+            ),
+            Block::EdgeEvaluator => (
+                vec![
+                    op,
+                    x,
+                    y,
+                    same("edge_init", m),
+                    same("edge_dx", m),
+                    same("edge_dy", m),
+                    output("in", "in_v", 1),
+                ],
+                vec![("M", m.into()), coordinate],
+            ),
+            Block::DepthEvaluator => (
+                vec![
+                    op,
+                    x,
+                    y,
+                    same("depth_init", word),
+                    same("depth_dx", word),
+                    same("depth_dy", word),
+                    output("depth", "depth", out),
+                ],
+                [of_read_out(read), vec![coordinate]].concat(),
+            ),
+            Block::SetUp => {
+                let bits = profile.vertex.bits();
+                let parameters = [
+                    vec![("VW", bits.into()), ("M", m.into())],
+                    of_read_out(read).into_iter().filter(|(name, _)| *name != "MODE").collect(),
+                    devices.setup.parameters().to_vec(),
+                ];
+                (set_up([bits, out, m]), parameters.concat())
+            }
+            Block::Divider => {
+                // The widest of a set-up: the start's numerator, and twice the area (P-5).
+                let difference = profile.vertex.bits() + 2;
+                let divisor = 2 * difference + 2;
+                let numerator = out + divisor + difference + 3 + read.fraction();
+                let rounding = devices.depth.rounding.names().code;
+                let parameters = [
+                    ("NW", numerator.into()),
+                    ("DW", divisor.into()),
+                    ("ROUNDING", rounding.into()),
+                    ("SERIAL", 1),
+                ];
+                let signals = [
+                    same("start", 1),
+                    same("numerator", ANY),
+                    same("divisor", ANY),
+                    output("quotient", "quotient", ANY),
+                    output("busy", "busy", 1),
+                    output("done", "done", 1),
+                ];
+                (signals.to_vec(), parameters.to_vec())
+            }
+        };
+        Self { block, signals, parameters }
+    }
+}
+
+/// A width of its own: what holds each value.
+pub(super) const ANY: u32 = 0;
+
+/// The signals of a set-up, of these bits a coordinate, a depth and an edge word.
+fn set_up([vertex, depth, edge]: [u32; 3]) -> Vec<Signal> {
+    let corner = |names: [&'static str; 3]| {
+        [(names[0], vertex), (names[1], vertex), (names[2], depth)]
+            .map(|(name, width)| input(name, name, width))
+    };
+    let mut list: Vec<Signal> =
+        [["v0_x", "v0_y", "v0_z"], ["v1_x", "v1_y", "v1_z"], ["v2_x", "v2_y", "v2_z"]]
+            .into_iter()
+            .flat_map(corner)
+            .collect();
+    list.extend([
+        output("edge0_init", "o_edge0_init", edge),
+        output("edge0_dx", "o_edge0_dx", edge),
+        output("edge0_dy", "o_edge0_dy", edge),
+        output("edge1_init", "o_edge1_init", edge),
+        output("edge1_dx", "o_edge1_dx", edge),
+        output("edge1_dy", "o_edge1_dy", edge),
+        output("edge2_init", "o_edge2_init", edge),
+        output("edge2_dx", "o_edge2_dx", edge),
+        output("edge2_dy", "o_edge2_dy", edge),
+        output("zero_area", "o_zero_area", 1),
+        output("area", "area", ANY),
+        output("plane_x", "gx", ANY),
+        output("plane_y", "gy", ANY),
+        output("plane_start", "gz", ANY),
+    ]);
+    list
+}
+
+/// What the devices of `hdl` are told of a depth accumulator.
+fn of_read_out(read: ReadOut) -> Vec<(&'static str, i128)> {
+    vec![
+        ("G", read.guard().into()),
+        ("I", read.integer().into()),
+        ("F", read.fraction().into()),
+        ("MODE", read.clamp().code().into()),
+    ]
+}
