@@ -142,7 +142,7 @@ fn a_dump_that_stops_early_is_said_to() {
     ] {
         let text = golden.set.text(name);
         let lines: Vec<&str> = text.lines().collect();
-        for kept in [1, lines.len() / 2, lines.len() - 1] {
+        for kept in [1, lines.len() - 1] {
             let report = golden.compare(name, &lines[..kept].join("\n")).unwrap();
             assert!(report.short, "{name}: {kept} rows of {}", lines.len());
             assert_eq!(report.rows, kept as u64);

@@ -272,74 +272,88 @@ fn defects_of_an_edge_stepper_are_called_by_name() {
 /// What makes a right device a wrong one, the files in which it shows, and what it is called.
 type Defect<'a> = (&'a dyn Fn(&mut Drawer), &'a [&'a str], String);
 
+// A test a profile: they take longest of all, and run beside each other.
 #[test]
 fn defects_of_set_up_and_drawing_are_called_by_name() {
+    called_by_name(PROFILES[0]);
+}
+
+#[test]
+fn defects_of_set_up_and_drawing_in_sgi_4k_are_called_by_name() {
+    called_by_name(PROFILES[1]);
+}
+
+#[test]
+fn defects_of_set_up_and_drawing_in_d3d11_are_called_by_name() {
+    called_by_name(PROFILES[2]);
+}
+
+#[track_caller]
+fn called_by_name((name, count): (&str, u64)) {
     let all = &["setup.exp.tv", "span.exp.tv", "depth.exp.tv"][..];
     let (set_up, spans, depths) = (&all[..1], &all[1..2], &all[2..]);
     let (covers, values, draws) = (all, &["setup.exp.tv", "depth.exp.tv"][..], &all[1..]);
     let mut faults: Vec<String> = Vec::new();
-    for (name, count) in PROFILES {
-        let golden = Golden::named(name, count);
-        let right = Drawer::of(&golden.profile);
-        let half = right.sample[0];
-        let guard = right.reader.guard;
-        let roundings = [Rounding::Floor, Rounding::TowardZero, Rounding::NearestAway];
-        let mut defects: Vec<Defect<'_>> = Vec::new();
-        let round: Vec<_> = roundings
-            .into_iter()
-            .map(|rounding| (rounding, move |d: &mut Drawer| d.rounding = rounding))
-            .collect();
-        for (rounding, change) in &round {
-            if *rounding == Rounding::NearestAway && name == "tiny" {
-                // The triangles with ties do not fit its field.
-                continue;
-            }
-            let cause = format!("depth.rounding is {rounding} instead of nearest-even");
-            // A tie is too rare to reach a drawn depth everywhere.
-            let files = if *rounding == Rounding::NearestAway { set_up } else { values };
-            defects.push((change, files, cause));
+    let golden = Golden::named(name, count);
+    let right = Drawer::of(&golden.profile);
+    let half = right.sample[0];
+    let guard = right.reader.guard;
+    let roundings = [Rounding::Floor, Rounding::TowardZero, Rounding::NearestAway];
+    let mut defects: Vec<Defect<'_>> = Vec::new();
+    let round: Vec<_> = roundings
+        .into_iter()
+        .map(|rounding| (rounding, move |d: &mut Drawer| d.rounding = rounding))
+        .collect();
+    for (rounding, change) in &round {
+        if *rounding == Rounding::NearestAway && name == "tiny" {
+            // The triangles with ties do not fit its field.
+            continue;
         }
-        // Covered samples leave the range by a rounding, downward only: no other clamp shows, one
-        // guard bit is enough, and with half a unit added to the start nothing leaves it.
-        let (files, few) = (if right.half { &[] } else { depths }, guard == 1);
-        let wraps = |d: &mut Drawer| d.reader.clamp = Clamp::Wrap;
-        defects.push((&wraps, files, "depth.clamp is wrap instead of guard".to_owned()));
-        let fewer = move |d: &mut Drawer| d.reader.guard = guard - 1;
-        let cause = format!("depth.guard is {} instead of {guard}", guard - 1);
-        defects.push((&fewer, if few { depths } else { &[] }, cause));
-        let other = if right.half { "none instead of half" } else { "half instead of none" };
-        let flip = |d: &mut Drawer| d.half = !d.half;
-        defects.push((&flip, values, format!("depth.start-bias is {other}")));
-        let reciprocal = "a reciprocal of 12 bits".to_owned();
-        // The areas of the toy are so small that 12 bits are as good as a quotient.
-        let files = if name == "tiny" { &[] } else { values };
-        defects.push((&|d| d.reciprocal = Some(12), files, reciprocal));
-        let coarse = |d: &mut Drawer| d.reader.fraction -= 1;
-        let f = right.reader.fraction;
-        let cause = format!("depth.interpolation is {} instead of {f}", f - 1);
-        defects.push((&coarse, set_up, cause));
-        let shadow = "rule is shadow instead of top-left".to_owned();
-        defects.push((&|d| d.shadow = true, covers, shadow));
-        defects.push((&|d| d.shifted = false, set_up, "storage is full".to_owned()));
-        let corner = format!("sample is (0, 0) instead of ({half}, {half})");
-        defects.push((&|d| d.sample = [0, 0], covers, corner));
-        if name != "tiny" {
-            let beside = format!("sample is ({}, {half}) instead of", half + 1);
-            defects.push((&|d| d.sample[0] += 1, covers, beside));
-        }
-        defects.push((&|d| d.turns_round = false, covers, "not reversed".to_owned()));
-        let end = "include the pixel at their right end".to_owned();
-        defects.push((&|d| d.right_included = true, draws, end));
-        let end = "leave out the pixel at their left end".to_owned();
-        defects.push((&|d| d.left_excluded = true, draws, end));
-        defects.push((&|d| d.rows_late = true, draws, "one too high".to_owned()));
-        assert_eq!(spans.len(), 1);
-        for (change, files, cause) in defects {
-            let mut drawer = right;
-            change(&mut drawer);
-            for file in files {
-                faults.extend(golden.blames(file, &golden.drawn(file, &drawer), &cause));
-            }
+        let cause = format!("depth.rounding is {rounding} instead of nearest-even");
+        // A tie is too rare to reach a drawn depth everywhere.
+        let files = if *rounding == Rounding::NearestAway { set_up } else { values };
+        defects.push((change, files, cause));
+    }
+    // Covered samples leave the range by a rounding, downward only: no other clamp shows, one
+    // guard bit is enough, and with half a unit added to the start nothing leaves it.
+    let (files, few) = (if right.half { &[] } else { depths }, guard == 1);
+    let wraps = |d: &mut Drawer| d.reader.clamp = Clamp::Wrap;
+    defects.push((&wraps, files, "depth.clamp is wrap instead of guard".to_owned()));
+    let fewer = move |d: &mut Drawer| d.reader.guard = guard - 1;
+    let cause = format!("depth.guard is {} instead of {guard}", guard - 1);
+    defects.push((&fewer, if few { depths } else { &[] }, cause));
+    let other = if right.half { "none instead of half" } else { "half instead of none" };
+    let flip = |d: &mut Drawer| d.half = !d.half;
+    defects.push((&flip, values, format!("depth.start-bias is {other}")));
+    let reciprocal = "a reciprocal of 12 bits".to_owned();
+    // The areas of the toy are so small that 12 bits are as good as a quotient.
+    let files = if name == "tiny" { &[] } else { values };
+    defects.push((&|d| d.reciprocal = Some(12), files, reciprocal));
+    let coarse = |d: &mut Drawer| d.reader.fraction -= 1;
+    let f = right.reader.fraction;
+    let cause = format!("depth.interpolation is {} instead of {f}", f - 1);
+    defects.push((&coarse, set_up, cause));
+    let shadow = "rule is shadow instead of top-left".to_owned();
+    defects.push((&|d| d.shadow = true, covers, shadow));
+    defects.push((&|d| d.shifted = false, set_up, "storage is full".to_owned()));
+    let corner = format!("sample is (0, 0) instead of ({half}, {half})");
+    defects.push((&|d| d.sample = [0, 0], covers, corner));
+    if name != "tiny" {
+        let beside = format!("sample is ({}, {half}) instead of", half + 1);
+        defects.push((&|d| d.sample[0] += 1, covers, beside));
+    }
+    defects.push((&|d| d.turns_round = false, covers, "not reversed".to_owned()));
+    let end = "include the pixel at their right end".to_owned();
+    defects.push((&|d| d.right_included = true, draws, end));
+    let end = "leave out the pixel at their left end".to_owned();
+    defects.push((&|d| d.left_excluded = true, draws, end));
+    defects.push((&|d| d.rows_late = true, draws, "one too high".to_owned()));
+    assert_eq!(spans.len(), 1);
+    for (change, files, cause) in defects {
+        let mut drawer = right;
+        change(&mut drawer);
+        for file in files {
+            faults.extend(golden.blames(file, &golden.drawn(file, &drawer), &cause));
         }
     }
     assert!(faults.is_empty(), "{faults:#?}");

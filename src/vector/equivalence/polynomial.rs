@@ -6,6 +6,8 @@
 
 mod algebra;
 mod condition;
+#[cfg(test)]
+mod test;
 
 pub(super) use algebra::{Algebra, Atom};
 

@@ -14,10 +14,10 @@ use crate::vector::write::Devices;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use std::fmt::Write as _;
-use trial::{CLOCKS, Trial};
+use trial::{CLOCKS, CORNERS, Trial};
 
 /// Triangles whose words are worked out of the netlist, too.
-const CASES: u64 = 2000;
+const CASES: usize = 2000;
 /// What a proof leaves behind.
 const FORMS: &str = "polynomials.txt";
 
@@ -133,13 +133,15 @@ pub(super) fn prove(
         (None, None) => Verdict::Proved {
             engine: "polynomials",
             words: format!(
-                "{0} of {0} words have one normal form on both sides ({FORMS}); {CASES} triangles agree",
-                outputs.len()
+                "{0} of {0} words have one normal form on both sides ({FORMS}); {1} triangles agree",
+                outputs.len(),
+                CASES + CORNERS
             ),
         },
         (None, Some((name, terms))) => Verdict::Undecided {
             words: format!(
-                "{name} has another normal form, by {terms} terms ({FORMS}), and {CASES} triangles show no difference"
+                "{name} has another normal form, by {terms} terms ({FORMS}), and {} triangles show no difference",
+                CASES + CORNERS
             ),
         },
     };

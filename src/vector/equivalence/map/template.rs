@@ -1,8 +1,9 @@
 //! A map to begin with.
 
 use super::Map;
+use crate::vector::equivalence::Signal;
 use crate::vector::equivalence::netlist::Port;
-use crate::vector::equivalence::unit::Unit;
+use crate::vector::equivalence::unit::{ANY, Block, Unit};
 use std::fmt::Write as _;
 
 impl Map {
@@ -27,7 +28,9 @@ impl Map {
             None if operations.is_empty() => {}
             None => text += "clock = \"?\"\n",
         }
-        text += "latency = 0         # clocks that the outputs come late\n";
+        if unit.block != Block::Divider {
+            text += "latency = 0         # clocks that the outputs come late\n";
+        }
         if let Some(load) = operations.first() {
             let _ = writeln!(
                 text,
@@ -53,15 +56,34 @@ impl Map {
             (None, None) => text += "# [reset]\n# port = \"?\"\n# active-low = false\n",
         }
         text += "\n# The port of each signal; an output may be left out.\n[ports]\n";
-        for signal in &unit.signals {
-            let port = find(&[signal.name, signal.port]).map_or("?", |port| &port.name);
-            let _ = writeln!(text, "{} = \"{port}\"", signal.name);
+        for Signal { name, port, width, output } in &unit.signals {
+            match find(&[name, port]) {
+                Some(port) => text.extend([name, " = \"", &port.name, "\"\n"]),
+                // An output is needed by nobody.
+                None if *output && *width == ANY && unit.block == Block::SetUp => {
+                    let _ = writeln!(
+                        text,
+                        "# {name} = \"?\"         # of any width that holds it; a wire inside, too"
+                    );
+                }
+                None if *output && *width != ANY => {
+                    let _ = writeln!(text, "# {name} = \"?\"         # {width} bits");
+                }
+                None => text.extend([name, " = \"?\"\n"]),
+            }
         }
         if !operations.is_empty() {
             text += "\n[op]\n";
             for (code, name) in operations.iter().enumerate() {
                 let _ = writeln!(text, "{name} = {code}");
             }
+        }
+        if unit.block == Block::Divider {
+            text += "\n[division]\nbits-per-clock = 1\nlead = 0            # clocks before the first step\n\
+                     merged = true       # false: the quotient has a register of its own\n\
+                     lemmas = [          # what registers mean; none are needed if they are those of long division\n    \
+                     # \"left == ref_left\", \"!ref_known || remainder == ref_remainder\",\n]\n\n\
+                     [division.wires]    # names in lemmas for wires inside the module\n# left = \"count\"\n# remainder = \"r\"\n";
         }
         text += "\n# [constants]         # inputs that stand still\n# enable = 1\n\n# [parameters]\n# WIDTH = 39\n";
         text

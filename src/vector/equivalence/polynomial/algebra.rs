@@ -79,6 +79,12 @@ impl Algebra {
         self.atoms[other as usize].excludes = Some(one);
     }
 
+    /// What an atom stands for.
+    #[cfg(test)]
+    pub(super) fn kind(&self, atom: Atom) -> &Kind {
+        &self.atoms[atom as usize].kind
+    }
+
     /// Whether an atom is 0 or 1: it is its own square.
     fn is_condition(&self, atom: Atom) -> bool {
         let known = &self.atoms[atom as usize];

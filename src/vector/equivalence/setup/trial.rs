@@ -17,8 +17,10 @@ use num_traits::One;
 
 /// Clocks after which vertices that stand still have come through a module.
 pub(super) const CLOCKS: u32 = 400;
+/// Triangles at the corners of the field and of a sub-pixel or two: three of six places, twice.
+pub(super) const CORNERS: usize = 2 * 6 * 6 * 6;
 /// Triangles that go through it one after the other.
-const RECORDS: u64 = 4;
+const RECORDS: usize = 4;
 
 /// A module's outputs, and the model they are compared with.
 pub(super) struct Trial<'a> {
@@ -42,11 +44,11 @@ impl<'a> Trial<'a> {
     pub(super) fn differing(
         &self,
         flat: &Flat,
-        cases: u64,
+        cases: usize,
     ) -> Result<Option<Counterexample>, String> {
         let mut simulation = Simulation::new(flat);
         for triangle in
-            triangles(self.profile, self.devices, cases).into_iter().chain(self.corners())
+            triangles(self.profile, self.devices, cases as u64).into_iter().chain(self.corners())
         {
             let reset = self.reset(false);
             simulation.set(self.inputs(&triangle).chain(reset));
@@ -75,7 +77,7 @@ impl<'a> Trial<'a> {
         let free: Vec<(&str, i128)> = free.map(|(name, _)| (name.as_str(), 1)).collect();
         simulation.set(free.iter().copied().chain(self.reset(true)));
         simulation.clock();
-        for triangle in triangles(self.profile, self.devices, RECORDS) {
+        for triangle in triangles(self.profile, self.devices, RECORDS as u64) {
             let mut came = false;
             for _ in 0..CLOCKS {
                 let free = free.iter().copied();
@@ -184,8 +186,8 @@ impl<'a> Trial<'a> {
         let near = [[0, 0], [1, 0], [0, 1], [1, 1], [2, 1], [1, 3]]
             .map(|step: [i128; 2]| step.map(|d| (middle + d).min(high)));
         let sets = [ends, near];
-        (0..2 * 6 * 6 * 6usize).map(move |n| {
-            let set = sets[n / 216];
+        (0..CORNERS).map(move |n| {
+            let set = sets[usize::from(n >= 216)];
             let xy = [set[n % 6], set[n / 6 % 6], set[n / 36 % 6]];
             let z = [0, 1, 2].map(|k| if n >> k & 1 == 1 { most } else { 0 });
             Triangle { xy, z: Some(z) }
