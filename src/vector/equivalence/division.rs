@@ -181,7 +181,7 @@ fn simulate(
     };
     let limit = 2 * division.numerator + division.steps.lead + 64;
     let mut numbers = Numbers(1);
-    let mut ended = 0;
+    let (mut ended, mut against) = (0, None);
     simulation.set([("rst", 1)]);
     simulation.clock();
     for n in 0..CASES {
@@ -190,8 +190,11 @@ fn simulate(
             let given = [("start", 1), ("numerator", numerator), ("divisor", divisor)];
             simulation.set(given.into_iter().filter(|_| clock == 0));
             for lemma in 0..division.steps.lemmas.len() {
-                if output(&mut simulation, &format!("lemma_{lemma}"))?.is_zero() {
-                    return Ok(Worked::Against { lemma, numerator, divisor, clock });
+                // A quotient that is wrong says more.
+                if against.is_none()
+                    && output(&mut simulation, &format!("lemma_{lemma}"))?.is_zero()
+                {
+                    against = Some(Worked::Against { lemma, numerator, divisor, clock });
                 }
             }
             let compared = clock > 0 && !output(&mut simulation, "compared")?.is_zero();
@@ -209,7 +212,7 @@ fn simulate(
             break;
         }
     }
-    Ok(Worked::Right(ended))
+    Ok(against.unwrap_or(Worked::Right(ended)))
 }
 
 /// Numbers from a linear congruence.
@@ -237,23 +240,27 @@ impl Numbers {
     /// Operands of all lengths, and those whose quotients are exact, ties, or at the ends of their range.
     fn operands(&mut self, division: &Division<'_>, n: u64) -> (i128, i128) {
         let magnitude = division.numerator - 1;
+        let most = (1 << division.divisor) - 1;
         let divisor = match n % 5 {
-            0 => (1 << division.divisor) - 1,
+            0 => most,
             1 => 1,
             2 => self.word(division.divisor),
             _ => self.short(division.divisor),
         }
         .max(1);
-        let numerator = match n / 5 % 6 {
-            0 => self.word(magnitude),
+        let numerator = match n / 5 {
+            0 => -(1 << magnitude),
             1 => (1 << magnitude) - 1,
-            // A multiple of half the divisor: exact, or a tie.
-            2 | 3 => {
-                let multiple = self.short(magnitude) / divisor * divisor;
-                if n.is_multiple_of(3) { multiple } else { (multiple - divisor / 2).max(0) }
+            // An odd number of halves of an even divisor, on both sides of zero.
+            2 | 3 if magnitude >= 6 && most >= 2 => {
+                let half = (divisor >> 1).max(1).min(1 << (magnitude / 2));
+                let odd = 2 * self.short(magnitude / 2 - 1) + 1;
+                let tie = half * odd;
+                return (if n.is_multiple_of(2) { tie } else { -tie }, 2 * half);
             }
-            _ => self.short(magnitude),
+            4 => self.short(magnitude) / divisor * divisor,
+            _ => -self.short(magnitude),
         };
-        (if n.is_multiple_of(2) { numerator } else { -numerator }, divisor)
+        (numerator, divisor)
     }
 }

@@ -163,7 +163,7 @@ impl Work<'_> {
             "{device}\nchformal -remove\n\
              read_verilog -sv -formal miter.sv\nhierarchy -check -top guardbit_miter\nproc\nflatten\n\
              setundef -undriven -anyseq\nmemory\nopt_clean\ncheck\nwrite_json netlist.json\n\
-             async2sync\nopt_clean\nwrite_json clocked.json\n\
+             async2sync\ndffunmap\nopt_clean\nwrite_json clocked.json\n\
              write_rtlil netlist.il\n"
         );
         self.yosys("netlist", &script)?;
@@ -212,7 +212,7 @@ impl Work<'_> {
         let script = format!(
             "{}\nchformal -remove\nhierarchy -check -top {module}{set}\nproc\nflatten\ncheck\nopt_expr\nopt_clean\n\
              pmuxtree\nmemory\nopt_dff -nosdff\nopt_expr\nopt_merge\nopt_clean\nwrite_json words.json\n\
-             dffunmap\nasync2sync\nopt_clean\nwrite_json clocked.json\n",
+             async2sync\ndffunmap\nopt_clean\nwrite_json clocked.json\n",
             device.read
         );
         self.yosys("words", &script)?;
