@@ -59,6 +59,13 @@ fn main() {
     let (solver, cocotb) = (both(YOSYS, Z3), both(ICARUS, COCOTB));
     let settler = || both(ICARUS, YOSYS);
     let trials = vec![
+        // Those that take longest come first: nothing waits for them at the end.
+        ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
+        ICARUS.soak_trial("defects_of_register_devices_are_seen", register::wired_defects),
+        ICARUS.trial("devices_of_built_in_registers_pass", register::wired),
+        solver.trial("dividers_are_proved_equal", division::equal),
+        solver.trial("foreign_set_ups_are_proved_equal", words::foreign),
+        solver.trial("set_ups_that_differ_are_refuted", words::differences),
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
         ICARUS.trial("icarus_rounds_in_every_way", bench::icarus_rounds),
@@ -75,8 +82,6 @@ fn main() {
         ICARUS.trial("answers_may_come_in_any_order", foreign::order),
         ICARUS.trial("what_is_not_checked_is_named", foreign::left_out),
         ICARUS.trial("an_engine_of_registers_passes", register::quads),
-        ICARUS.trial("devices_of_built_in_registers_pass", register::wired),
-        ICARUS.soak_trial("defects_of_register_devices_are_seen", register::wired_defects),
         VERILATOR.trial("a_dump_is_whole_when_the_bench_stops", foreign::dump_before_the_end),
         ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
         cocotb.soak_trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),
@@ -86,11 +91,8 @@ fn main() {
         solver.trial("shipped_devices_are_proved_equal", equivalence::shipped_devices),
         solver.trial("a_foreign_device_is_proved_equal", equivalence::foreign_device),
         solver.trial("shipped_set_ups_are_proved_equal", words::shipped),
-        solver.trial("foreign_set_ups_are_proved_equal", words::foreign),
-        solver.trial("set_ups_that_differ_are_refuted", words::differences),
         solver.trial("set_ups_that_cannot_be_read_are_refused", words::refused),
         solver.soak_trial("a_solver_of_bits_agrees_with_polynomials", words::bits_agree),
-        solver.trial("dividers_are_proved_equal", division::equal),
         solver.trial("dividers_that_differ_are_refuted", division::differences),
         solver.trial("only_the_solvers_words_prove", equivalence::only_the_solvers_words_prove),
         solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
@@ -99,7 +101,6 @@ fn main() {
         both(GHDL, YOSYS).trial("vhdl_devices_are_proved_equal", equivalence::vhdl_devices),
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
         ICARUS.trial("the_readmes_buggy_adder_is_named", readme::buggy_adder),
-        ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
         settler().trial("the_mutation_recipe_says_what_is_missing", recipe::says_what_is_missing),
         settler().soak_trial("the_mutation_recipe_scores_our_devices", recipe::scores_our_devices),
         ICARUS.trial("mutants_are_the_textbooks", blind::textbook::mutants_of_a_small_module),

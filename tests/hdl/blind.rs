@@ -1,7 +1,7 @@
 //! Mutants of the devices by classical operators, which nobody has chosen: what the default sets
 //! kill of a sample, and what the diagnosis says of the killed.
 //!
-//! `GUARDBIT_SEED` (default: year and week), `GUARDBIT_MUTANTS` (default 4) and `GUARDBIT_ROWS`
+//! `GUARDBIT_SEED` (default: year and week), `GUARDBIT_MUTANTS` (default 3) and `GUARDBIT_ROWS`
 //! (the sets' `--count`, default 20000) choose the sample and the sets; a question to yosys takes at
 //! most `GUARDBIT_SECONDS` (default 5). With `GUARDBIT_BLIND=FOLDER` there is a line
 //! of JSON a mutant, with its source and the dumps that differ.
@@ -252,7 +252,7 @@ fn number(name: &str, default: u64) -> u64 {
 
 pub(crate) fn sampled(_: &str) {
     let seed = number("GUARDBIT_SEED", sample::week(SystemTime::now()));
-    let (count, rows) = (number("GUARDBIT_MUTANTS", 4), number("GUARDBIT_ROWS", 20_000));
+    let (count, rows) = (number("GUARDBIT_MUTANTS", 3), number("GUARDBIT_ROWS", 20_000));
     let home = tempfile::tempdir().unwrap();
     run_in(home.path(), &format!("vectors --count {rows} --out first")).ends(0);
     let other = format!("vectors --count {rows} --seed {} --scene terrain --out second", seed + 1);

@@ -2,7 +2,7 @@
 //!
 //! No solver multiplies a quotient of 117 bits by a divisor. So nothing is multiplied: the reference divides by
 //! hand, as many bits a clock as the module, and what the registers of the module mean is said in lemmas over the
-//! reference's own. They are proved with the answer, by induction over one clock.
+//! reference's own. They are proved with the answer, by induction over two clocks.
 
 mod text;
 

@@ -17,7 +17,7 @@ use std::fmt::Write as _;
 use trial::{CLOCKS, CORNERS, Trial};
 
 /// Triangles whose words are worked out of the netlist, too.
-const CASES: usize = 2000;
+const CASES: usize = 1000;
 /// What a proof leaves behind.
 const FORMS: &str = "polynomials.txt";
 
