@@ -94,6 +94,7 @@ fn main() {
         solver.trial("set_ups_that_cannot_be_read_are_refused", words::refused),
         solver.soak_trial("a_solver_of_bits_agrees_with_polynomials", words::bits_agree),
         solver.trial("dividers_that_differ_are_refuted", division::differences),
+        solver.trial("a_device_that_holds_its_slopes_is_proved_equal", equivalence::latched_device),
         solver.trial("only_the_solvers_words_prove", equivalence::only_the_solvers_words_prove),
         solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
         solver.soak_trial("defects_of_steppers_are_refuted", blind::proof::defects),

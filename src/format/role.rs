@@ -118,6 +118,11 @@ impl WordFormat {
         Self { fraction, ..self }
     }
 
+    /// Its bits.
+    pub const fn width(self) -> u32 {
+        self.width
+    }
+
     fn column(self, name: String, meaning: String) -> Column {
         let Self { width, signed, fraction } = self;
         Column { name, width, signed, fraction, meaning }

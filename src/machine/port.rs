@@ -86,12 +86,8 @@ impl Ports {
     /// The ports of a triangle machine whose set-up has these columns, those of its depth among
     /// them.
     pub fn valued(vertex: &VertexConfig, setup: Vec<Column>, depth: Option<Depth>) -> Self {
-        let (low, high) = vertex.range();
-        let signed = low < 0;
-        let width = i128::BITS - high.leading_zeros() + u32::from(signed);
-        let coordinate =
-            if signed { WordFormat::signed(width) } else { WordFormat::unsigned(width) };
-        let coordinate = coordinate.fraction(vertex.sub_pixel);
+        let word = if vertex.signed { WordFormat::signed } else { WordFormat::unsigned };
+        let coordinate = word(vertex.bits()).fraction(vertex.sub_pixel);
         let mut input = Vec::new();
         for n in 0..3 {
             input.extend([Role::VERTEX_X, Role::VERTEX_Y].map(|role| role.of(n, coordinate)));

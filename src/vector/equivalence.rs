@@ -9,6 +9,7 @@ mod netlist;
 mod polynomial;
 mod setup;
 mod simulate;
+mod stepper;
 mod tool;
 mod unit;
 mod words;
@@ -18,10 +19,11 @@ pub use division::WrongDivision;
 pub use map::{Map, MapError, Reset, Steps};
 pub use unit::{Block, Signal};
 
-use super::reference::{Language, ReferenceError, devices, package, reference};
+use super::reference::{ReferenceError, devices};
+use super::write::Devices;
 use crate::profile::Profile;
 use crate::setup::Triangle;
-use miter::Miter;
+use map::Wiring;
 use num_bigint::BigInt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -93,6 +95,24 @@ pub struct Differing {
     pub got: BigInt,
     /// The model's.
     pub want: BigInt,
+}
+
+/// A question whose map fits: what each way of proving begins with. Each gives its verdict, and what it takes for
+/// granted.
+struct Asked<'a> {
+    profile: &'a Profile,
+    devices: &'a Devices,
+    unit: &'a Unit,
+    map: &'a Map,
+    wiring: &'a Wiring,
+    /// The module, as yosys sees it.
+    module: &'a Device,
+}
+
+impl Asked<'_> {
+    fn design(&self, what: String) -> EquivalenceError {
+        EquivalenceError::Design { module: self.map.module.clone(), what }
+    }
 }
 
 /// A verdict, and what it rests on.
@@ -191,7 +211,6 @@ pub fn template(
 pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     let begun = Instant::now();
     let Question { profile, block, rtl, folder, limit, .. } = *question;
-    let text = reference(profile, Language::Sv)?;
     let devices = devices(profile)?;
     let unit = Unit::new(block, (profile, &devices));
     let mut own = Map::of_devices(&unit);
@@ -208,67 +227,17 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     };
     let map = question.map.unwrap_or(&own);
     let wiring = map.fits(&unit, &found.ports)?;
-    let answer = |verdict, assumed| Answer {
-        verdict,
-        assumed,
-        signals: unit.signals.clone(),
-        seconds: begun.elapsed().as_secs_f64(),
+    let asked =
+        Asked { profile, devices: &devices, unit: &unit, map, wiring: &wiring, module: &found };
+    let (verdict, assumed) = match block {
+        Block::SetUp => setup::prove(&asked, &work)?,
+        Block::Divider => division::prove(&asked, &work)?,
+        Block::ReadOut
+        | Block::Dda
+        | Block::EdgeStepper
+        | Block::EdgeEvaluator
+        | Block::DepthEvaluator => stepper::prove(&asked, &work)?,
     };
-    if block == Block::SetUp {
-        let (verdict, assumed) = setup::prove(question, (&devices, map, &wiring), (&work, &found))?;
-        return Ok(answer(verdict, assumed));
-    }
-    if block == Block::Divider {
-        let asked = (devices.depth.rounding, map, &wiring);
-        let (verdict, assumed) = division::prove(question, asked, (&work, &found))?;
-        return Ok(answer(verdict, assumed));
-    }
-    let Device { read: source, parameters, .. } = found;
-    let name = format!("{}_{}", package(profile), block.module());
-    work.write("reference.sv", &text)?;
-    let miter = Miter { map, wiring: &wiring, parameters: &parameters, unit: &unit };
-    work.write("miter.sv", &miter.text(&name))?;
-    work.netlist(&format!("{source}\nread_verilog -sv reference.sv"), &map.module)?;
-    let answer = |verdict| answer(verdict, map.assumed(&unit));
-    // A proof in which nothing is ever compared would be none.
-    let reached = work.pdr("compared", "bad")?;
-    if !reached.is_some_and(|ran| ran.says("was asserted in frame")) {
-        let words =
-            "no input leads to a clock at which answers are compared, or none was found".to_owned();
-        return Ok(answer(Verdict::Undecided { words }));
-    }
-    Ok(answer(match work.pdr("bad", "compared")? {
-        Some(ran) if ran.good() && ran.says("Property proved.") => {
-            Verdict::Proved { engine: "yosys-abc scorr and pdr", words: ran.last() }
-        }
-        other => {
-            let said = other.map_or_else(
-                || {
-                    format!(
-                        "yosys-abc pdr ran longer than {} s: give more with --limit",
-                        limit.as_secs()
-                    )
-                },
-                |ran| format!("yosys-abc pdr: {}", ran.last()),
-            );
-            search(&work, map.latency, &said)?
-        }
-    }))
-}
-
-/// Looks for inputs that make a difference, from reset on, after what another tool said.
-fn search(work: &Work<'_>, latency: u32, said: &str) -> Result<Verdict, EquivalenceError> {
-    const WAVE: &str = "counterexample.vcd";
-    let undecided = |words: String| Ok(Verdict::Undecided { words: format!("{said}; {words}") });
-    work.yosys("smt2", "read_rtlil netlist.il\nwrite_smt2 -wires miter.smt2\n")?;
-    if !work.read("miter.smt2")?.contains("yosys-smt2-assert") {
-        return undecided("yosys wrote no assertion, so no search was made".to_owned());
-    }
-    let depth = (latency + 12).to_string();
-    let arguments = ["-s", "z3", "-t", &depth, "--noprogress", "--dump-vcd", WAVE, "miter.smt2"];
-    match work.run("yosys-smtbmc", &arguments, "smtbmc.log")? {
-        Some(ran) if ran.says("Status: FAILED") => Ok(Verdict::Refuted(Refutation::Wave(WAVE))),
-        Some(ran) => undecided(format!("yosys-smtbmc, {depth} clocks: {}", ran.last())),
-        None => undecided(format!("yosys-smtbmc ran longer than {} s", work.limit.as_secs())),
-    }
+    let seconds = begun.elapsed().as_secs_f64();
+    Ok(Answer { verdict, assumed, signals: unit.signals, seconds })
 }

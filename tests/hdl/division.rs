@@ -88,6 +88,7 @@ pub(crate) fn differences(_: &str) {
         ("\"n == ref_rest\"", "\"n == ref_rest; assign bad = 0\"", "is no expression"),
         ("\"n == ref_rest\"", "\"n == ref_rset\"", "ref_rset"),
         ("n = \"n\"", "n = \"nn\"", "nn"),
+        ("n = \"n\"", "bad = \"n\"", "bad: the reference has this name"),
         ("n = \"n\"", "n = \"num\"", "num is a port"),
         ("[reset]\nport = \"rst\"", "[constants]\nrst = 0", "a divider needs [reset]"),
     ] {

@@ -197,6 +197,36 @@ pub(crate) fn foreign_device(_: &str) {
     }
 }
 
+/// A DDA that takes its slopes with a load, two clocks late.
+const LATCHED: [&str; 2] =
+    [include_str!("designs/latched.sv"), include_str!("designs/latched.toml")];
+
+pub(crate) fn latched_device(_: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let home = home.path();
+    let [text, map] = LATCHED;
+    let write = |text: &str, map: &str| {
+        std::fs::write(home.join("latched.sv"), text).unwrap();
+        std::fs::write(home.join("latched.toml"), map).unwrap();
+    };
+    let question = "sgi-4k --rtl latched.sv --block dda --map latched.toml";
+    write(text, map);
+    proves(home, question);
+    // A slope that another word overwrites, one that is not taken, and a reset in the middle that is not seen.
+    for (old, new) in [
+        ("sx<=zx; sy<=zy;", "sx<=zx; sy<=zx;"),
+        ("3'd3: acc <= acc + sy;", "3'd3: acc <= acc + zy + 1;"),
+        ("oct[1:0]!=0", "oct[1:0]!=1"),
+    ] {
+        assert_eq!(text.matches(old).count(), 1, "{old}");
+        write(&text.replace(old, new), map);
+        refutes(home, question);
+    }
+    // Slopes that may change at any clock are others.
+    write(text, &map.replace("held = true", "held = false"));
+    refutes(home, question);
+}
+
 pub(crate) fn bad_input(_: &str) {
     let home = tempfile::tempdir().unwrap();
     let home = home.path();
@@ -222,6 +252,12 @@ pub(crate) fn bad_input(_: &str) {
     map("hold = 0", "hold = 9", &["[op] hold = 9 >= 2^3"]);
     map("latency = 1", "latency = 64", &["latency = 64: 0 to 63"]);
     map("latency = 1", "late = 1", &["map.toml", "late"]);
+    map(
+        "latency = 1",
+        "latency = 1\n[division]\nlead = 1",
+        &["[division] belongs to the block divider"],
+    );
+    map("module = \"walker\"", "module = \"guardbit_walker\"", &["may not begin with guardbit_"]);
     map("module = \"walker\"", "module = \"walkman\"", &["yosys stopped", "walkman"]);
     map("module = \"walker\"", "module = \"walker; !touch x\"", &["is no name"]);
     let broken = |text: &str, about: &[&str]| {

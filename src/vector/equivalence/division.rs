@@ -6,11 +6,11 @@
 
 mod text;
 
-use super::map::{Steps, Wiring};
+use super::map::Steps;
 use super::netlist;
 use super::simulate::Simulation;
-use super::work::{Device, Work};
-use super::{EquivalenceError, Map, MapError, Question, Refutation, Verdict};
+use super::work::Work;
+use super::{Asked, EquivalenceError, Map, MapError, Refutation, Verdict};
 use crate::bits::Rounding;
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
@@ -37,20 +37,20 @@ impl Division<'_> {
 
 /// Asks whether a module divides as the profile does.
 pub(super) fn prove(
-    question: &Question<'_>,
-    (rounding, map, wiring): (Rounding, &Map, &Wiring),
-    (work, device): (&Work<'_>, &Device),
+    asked: &Asked<'_>,
+    work: &Work<'_>,
 ) -> Result<(Verdict, Vec<String>), EquivalenceError> {
+    let Asked { devices, map, wiring, module, .. } = *asked;
     let width = |signal: &str| {
         let port = &map.ports[signal];
-        device.ports.iter().find(|other| other.name == *port).map_or(1, |port| port.width)
+        module.ports.iter().find(|other| other.name == *port).map_or(1, |port| port.width)
     };
     let wrong = |what: String| MapError { module: map.module.clone(), what };
     let steps = map.division.clone().unwrap_or_default();
     let division = Division {
         numerator: width("numerator"),
         divisor: width("divisor"),
-        rounding,
+        rounding: devices.depth.rounding,
         steps: &steps,
     };
     let Division { numerator, divisor, .. } = division;
@@ -76,11 +76,21 @@ pub(super) fn prove(
         return Err(wrong(format!("[division] lead = {lead}: 0 to 63 clocks")).into());
     }
     let assumed = assumed(map);
-    let wires = work.opened(device, map, &steps)?;
+    // A wire of a name that the text has already would be another one.
+    let plain = Division { steps: &Steps { lemmas: Vec::new(), ..steps.clone() }, ..division };
+    let plain = plain.miter(map, wiring, &[]);
+    let names: Vec<&str> = plain.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    if let Some(name) = steps.wires.keys().find(|name| names.contains(&name.as_str())) {
+        return Err(wrong(format!(
+            "[division.wires] {name}: the reference has this name, take another"
+        ))
+        .into());
+    }
+    let wires = work.opened(module, map, &steps)?;
     work.write("miter.sv", &division.miter(map, wiring, &wires))?;
     work.netlist("read_rtlil opened.il", &map.module)?;
     let undecided = |words: String| Verdict::Undecided { words };
-    let cases = match simulate(&division, map, work)? {
+    let cases = match simulate(asked, &division, work)? {
         Worked::Right(cases) => cases,
         Worked::Wrong(example) => {
             return Ok((Verdict::Refuted(Refutation::Division(example)), assumed));
@@ -119,7 +129,7 @@ pub(super) fn prove(
         None => undecided(format!(
             "yosys-abc ran longer than {} s; {cases} divisions show no difference; say more of the module's \
              registers in lemmas",
-            question.limit.as_secs()
+            work.limit.as_secs()
         )),
     };
     Ok((verdict, assumed))
@@ -168,11 +178,11 @@ enum Worked {
 
 /// Works divisions through, clock by clock.
 fn simulate(
+    asked: &Asked<'_>,
     division: &Division<'_>,
-    map: &Map,
     work: &Work<'_>,
 ) -> Result<Worked, EquivalenceError> {
-    let design = |what: String| EquivalenceError::Design { module: map.module.clone(), what };
+    let design = |what: String| asked.design(what);
     let flat = netlist::flat(&work.read("clocked.json")?).map_err(design)?;
     let mut simulation = Simulation::new(&flat).clocked();
     let output = |simulation: &mut Simulation<'_>, port: &str| {

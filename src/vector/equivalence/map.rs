@@ -154,6 +154,10 @@ impl Map {
                 );
             }
         }
+        // Those of the texts that a proof writes.
+        if self.module.starts_with("guardbit_") {
+            return Err(self.wrong("a module's name may not begin with guardbit_".to_owned()));
+        }
         for lemma in steps.flat_map(|steps| &steps.lemmas) {
             // It stands in parentheses, in one line of the miter.
             if lemma.contains([';', '`', '"', '\n', '\\'])

@@ -1,22 +1,24 @@
 //! The text in which a module and a reference get the same inputs, and their answers are compared.
 
-use super::map::Wiring;
-use super::unit::Unit;
-use super::{Map, Signal};
+use super::{Asked, Signal};
 use std::fmt::Write as _;
 
 pub(super) fn range(width: u32) -> String {
     if width == 1 { String::new() } else { format!("[{}:0] ", width - 1) }
 }
 
-/// What a miter is written from.
-pub(super) struct Miter<'a> {
-    pub(super) map: &'a Map,
-    pub(super) wiring: &'a Wiring,
-    /// The parameters that the module is given.
-    pub(super) parameters: &'a [(String, i128)],
-    pub(super) unit: &'a Unit,
+/// How inputs stand still that change with a load alone: as registers of the module may hold them, so that a solver
+/// finds the two alike. Both say the same where answers are compared.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Held {
+    /// In registers that a load fills, zero before; then the module's own inputs are anything before the first load.
+    Loaded,
+    /// In registers that follow the inputs.
+    Followed,
 }
+
+/// The miter of a question.
+pub(super) struct Miter<'a>(pub(super) &'a Asked<'a>, pub(super) Held);
 
 impl Miter<'_> {
     /// The miter of the module with the reference's module `name`.
@@ -25,17 +27,21 @@ impl Miter<'_> {
     }
 
     fn inputs(&self) -> impl Iterator<Item = &Signal> {
-        self.unit.signals.iter().filter(|signal| !signal.output)
+        self.0.unit.signals.iter().filter(|signal| !signal.output)
     }
 
     /// The outputs that are compared.
     fn outputs(&self) -> impl Iterator<Item = &Signal> {
-        let signals = self.unit.signals.iter();
-        signals.filter(|signal| signal.output && self.map.ports.contains_key(signal.name))
+        let signals = self.0.unit.signals.iter();
+        signals.filter(|signal| signal.output && self.0.map.ports.contains_key(signal.name))
+    }
+
+    fn is_held(&self, signal: &Signal) -> bool {
+        self.0.map.held && signal.name != "op"
     }
 
     fn is_clocked(&self) -> bool {
-        !self.unit.block.operations().is_empty()
+        !self.0.unit.block.operations().is_empty()
     }
 
     /// Ports, the first clock, and inputs that stand still.
@@ -45,24 +51,39 @@ impl Miter<'_> {
              // their answers differ, compared where they are looked at.\nmodule guardbit_miter (\n    \
              input wire clk,\n    input wire rst",
         );
-        let is_held = |signal: &Signal| self.map.held && signal.name != "op";
         for input in self.inputs() {
-            let next = if is_held(input) { "next_" } else { "" };
+            let next = if self.is_held(input) { "next_" } else { "" };
             let _ = write!(text, ",\n    input wire {}{next}{}", range(input.width), input.name);
         }
-        let free = if self.map.reset.is_some() { "rst || !started" } else { "!started" };
+        let free = if self.0.map.reset.is_some() { "rst || !started" } else { "!started" };
         let _ = writeln!(
             text,
             ",\n    output wire compared,\n    output wire bad\n);\n    // The first clock is a reset.\n    \
              reg started = 1'b0;\n    always @(posedge clk) started <= 1'b1;\n    wire reset = {free};"
         );
-        for input in self.inputs().filter(|input| is_held(input)) {
-            let (name, range) = (input.name, range(input.width));
-            let _ = writeln!(
-                text,
-                "    reg {range}last_{name};\n    wire {range}{name} = op == 2'd0 ? next_{name} : last_{name};\n    \
-                 always @(posedge clk) last_{name} <= {name};"
-            );
+        text += if self.is_clocked() && self.0.map.awaits_a_load() {
+            "    // The registers are known once they have been loaded.\n    reg known = 1'b0;\n    \
+             always @(posedge clk) known <= !reset && (known || op == 2'd0);\n"
+        } else {
+            "    wire known = started;\n"
+        };
+        for input in self.inputs().filter(|input| self.is_held(input)) {
+            let (name, width, range) = (input.name, input.width, range(input.width));
+            let _ = writeln!(text, "    reg {range}last_{name};");
+            let _ = match self.1 {
+                Held::Loaded => writeln!(
+                    text,
+                    "    wire {range}{name} = op == 2'd0 ? next_{name} : last_{name};\n    \
+                     wire {range}own_{name} = known ? {name} : next_{name};\n    \
+                     always @(posedge clk) last_{name} <= reset ? {width}'d0 : {name};"
+                ),
+                Held::Followed => writeln!(
+                    text,
+                    "    wire {range}{name} = op == 2'd0 ? next_{name} : last_{name};\n    \
+                     wire {range}own_{name} = {name};\n    \
+                     always @(posedge clk) last_{name} <= {name};"
+                ),
+            };
         }
         text
     }
@@ -73,7 +94,7 @@ impl Miter<'_> {
         if self.is_clocked() {
             ports.push(".clk(clk), .rst(reset)".to_owned());
         }
-        for signal in &self.unit.signals {
+        for signal in &self.0.unit.signals {
             let want = if signal.output { "want_" } else { "" };
             ports.push(format!(".{}({want}{})", signal.port, signal.name));
             if signal.output {
@@ -85,10 +106,10 @@ impl Miter<'_> {
     }
 
     fn device(&self) -> String {
-        let map = self.map;
+        let map = self.0.map;
         let mut text = String::new();
         let mut pins: Vec<String> =
-            self.wiring.clock.iter().map(|clock| format!(".{clock}(clk)")).collect();
+            self.0.wiring.clock.iter().map(|clock| format!(".{clock}(clk)")).collect();
         if let Some(reset) = &map.reset {
             let level = if reset.active_low { "!reset" } else { "reset" };
             pins.push(format!(".{}({level})", reset.port));
@@ -99,7 +120,7 @@ impl Miter<'_> {
         for signal in self.inputs() {
             let Some(port) = map.ports.get(signal.name) else { continue };
             let given = if signal.name == "op" {
-                let codes = map.codes(self.unit);
+                let codes = map.codes(self.0.unit);
                 let last = codes.len() - 1;
                 let chosen = codes[..last].iter().enumerate();
                 text += "    wire [31:0] code = ";
@@ -107,7 +128,9 @@ impl Miter<'_> {
                     let _ = write!(text, "op == 2'd{op} ? {code} : ");
                 }
                 let _ = writeln!(text, "{};", codes[last]);
-                format!("code[{}:0]", self.wiring.code_bits - 1)
+                format!("code[{}:0]", self.0.wiring.code_bits - 1)
+            } else if self.is_held(signal) {
+                format!("own_{}", signal.name)
             } else {
                 signal.name.to_owned()
             };
@@ -117,7 +140,7 @@ impl Miter<'_> {
             let _ = writeln!(text, "    wire {}got_{};", range(output.width), output.name);
             pins.push(format!(".{}(got_{})", map.ports[output.name], output.name));
         }
-        let set = self.parameters.iter().map(|(name, value)| format!(".{name}({value})"));
+        let set = self.0.module.parameters.iter().map(|(name, value)| format!(".{name}({value})"));
         let set = set.collect::<Vec<_>>().join(", ");
         let set = if set.is_empty() { set } else { format!("#({set}) ") };
         let _ = writeln!(text, "    {} {set}device ({});", map.module, pins.join(", "));
@@ -126,7 +149,7 @@ impl Miter<'_> {
 
     /// Where the answers are looked at, and what differs there.
     fn compared(&self) -> String {
-        let map = self.map;
+        let map = self.0.map;
         let mut text = String::new();
         // What the reference answered some clocks ago.
         let late = |name: &str, clocks: u32| {
@@ -146,12 +169,6 @@ impl Miter<'_> {
             .outputs()
             .map(|output| format!("got_{} != {}", output.name, late(output.name, map.latency)));
         let differ = differ.collect::<Vec<_>>().join(" || ");
-        text += if self.is_clocked() && map.awaits_a_load() {
-            "    // The registers are known once they have been loaded.\n    reg known = 1'b0;\n    \
-             always @(posedge clk) known <= !reset && (known || op == 2'd0);\n"
-        } else {
-            "    wire known = started;\n"
-        };
         let latency = map.latency;
         let _ = write!(
             text,

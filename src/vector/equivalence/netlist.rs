@@ -106,6 +106,15 @@ impl Cell {
         self.flags.contains(parameter)
     }
 
+    pub(super) fn is_register(&self) -> bool {
+        self.kind.contains("dff")
+    }
+
+    /// What it drives.
+    pub(super) fn output(&self) -> &[Bit] {
+        self.wires.get("Y").or_else(|| self.wires.get("Q")).map_or(&[], Vec::as_slice)
+    }
+
     /// Some bits of the output alone, if the cell works bit by bit.
     pub(super) fn part(&self, place: u32, count: u32) -> Option<Self> {
         let (inputs, output): (&[&str], _) = match self.kind.as_str() {
@@ -141,6 +150,19 @@ pub(super) struct Flat {
     pub(super) ports: BTreeMap<String, Wire>,
     pub(super) names: BTreeMap<String, Vec<Bit>>,
     pub(super) cells: BTreeMap<String, Cell>,
+}
+
+impl Flat {
+    /// The bits of a port or a wire.
+    pub(super) fn wire(&self, name: &str) -> Option<&[Bit]> {
+        let port = self.ports.get(name).map(|port| &port.bits);
+        port.or_else(|| self.names.get(name)).map(Vec::as_slice)
+    }
+
+    /// Whether it has registers.
+    pub(super) fn is_clocked(&self) -> bool {
+        self.cells.values().any(Cell::is_register)
+    }
 }
 
 fn bits(values: &[serde_json::Value]) -> Vec<Bit> {

@@ -3,14 +3,11 @@
 mod trial;
 
 use super::clauses::{Range, Vertex, Want, Wants, clauses};
-use super::map::Wiring;
 use super::netlist::{self, Bit};
 use super::polynomial::{Algebra, Polynomial};
 use super::words::{Control, Way, Words};
-use super::work::{Device, Work};
-use super::{EquivalenceError, Map, MapError, Question, Refutation, Verdict};
-use crate::profile::Profile;
-use crate::vector::write::Devices;
+use super::work::Work;
+use super::{Asked, EquivalenceError, MapError, Refutation, Verdict};
 use num_bigint::BigInt;
 use num_traits::{One, Zero};
 use std::fmt::Write as _;
@@ -21,17 +18,17 @@ const CASES: usize = 1000;
 /// What a proof leaves behind.
 const FORMS: &str = "polynomials.txt";
 
-/// An output of the module: which word it has to be, and its bits.
-#[derive(Clone, Copy)]
+/// An output of the module: the word that it has to be.
 struct Output<'a> {
-    name: &'static str,
+    want: &'a Want,
+    /// A port of the module, or a wire.
     port: &'a str,
-    range: Range,
+    bits: &'a [Bit],
 }
 
 /// Both sides of a question.
 struct Sides<'a> {
-    module: &'a str,
+    asked: &'a Asked<'a>,
     algebra: Algebra,
     words: Words<'a>,
     /// The registers on the way of the outputs so far.
@@ -42,22 +39,19 @@ struct Sides<'a> {
     differ: Vec<(&'static str, usize)>,
 }
 
-/// Asks whether a module's words are the profile's. Gives what it takes for granted, too.
+/// Asks whether a module's words are the profile's.
 pub(super) fn prove(
-    question: &Question<'_>,
-    (devices, map, wiring): (&Devices, &Map, &Wiring),
-    (work, device): (&Work<'_>, &Device),
+    asked: &Asked<'_>,
+    work: &Work<'_>,
 ) -> Result<(Verdict, Vec<String>), EquivalenceError> {
-    let module = map.module.as_str();
-    let wrong = |what: String| MapError { module: module.to_owned(), what };
-    let design = |what: String| EquivalenceError::Design { module: module.to_owned(), what };
-    work.words(device, module)?;
-    let flat = netlist::flat(&work.read("words.json")?).map_err(design)?;
+    let Asked { map, wiring, module, .. } = *asked;
+    let wrong = |what: String| MapError { module: map.module.clone(), what };
+    work.words(module, &map.module)?;
+    let flat = |name| netlist::flat(&work.read(name)?).map_err(|what| asked.design(what));
+    let (flat, clocked) = (flat("words.json")?, flat("clocked.json")?);
     let mut algebra = Algebra::default();
-    let (inputs, vertices) = given(&mut algebra, question.profile, devices, map);
-    let Wants { live, words: wants } = clauses(&mut algebra, devices, vertices);
-    let forms =
-        "# Written by guardbit prove --rtl: both sides of each word, in normal form.\n".to_owned();
+    let (inputs, vertices) = given(&mut algebra, asked);
+    let Wants { live, words: wants } = clauses(&mut algebra, asked.devices, vertices);
     let net = |port: &str| flat.ports.get(port).and_then(|port| port.bits.first().copied());
     let reset = map.reset.as_ref();
     let corners = map.ports.iter().filter(|(signal, _)| signal.starts_with('v'));
@@ -67,83 +61,56 @@ pub(super) fn prove(
         reset: reset.and_then(|reset| Some((net(&reset.port)?, reset.active_low))),
         data: &data,
     };
-    let words = Words::new(&flat, &inputs, control);
-    let mut sides = Sides { module, algebra, words, way: None, forms, differ: Vec::new() };
     let mut outputs = Vec::new();
     for want in &wants {
-        let Some(name) = map.ports.get(want.name) else { continue };
-        let bits = flat.ports.get(name).map(|port| &port.bits).or_else(|| flat.names.get(name));
-        let bits = bits.ok_or_else(|| {
-            wrong(format!("{}: the module has neither a port nor a wire {name}", want.name))
+        let Some(port) = map.ports.get(want.name) else { continue };
+        let bits = flat.wire(port).ok_or_else(|| {
+            wrong(format!("{}: the module has neither a port nor a wire {port}", want.name))
         })?;
-        has_room(&sides.algebra, want, bits.len()).map_err(wrong)?;
-        outputs.push((want, bits, Output { name: want.name, port: name, range: want.range }));
+        has_room(&algebra, want, bits.len()).map_err(wrong)?;
+        outputs.push(Output { want, port, bits });
     }
-    if outputs.is_empty() {
-        return Err(wrong("[ports] has no output: nothing would be compared".to_owned()).into());
-    }
-    for (want, bits, _) in &outputs {
-        match sides.compare(want, bits, &live) {
+    let forms =
+        "# Written by guardbit prove --rtl: both sides of each word, in normal form.\n".to_owned();
+    let words = Words::new(&flat, &inputs, control);
+    let mut sides = Sides { asked, algebra, words, way: None, forms, differ: Vec::new() };
+    let trial = Trial::new(asked, &outputs);
+    let refuted = |example| Verdict::Refuted(Refutation::Triangle(example));
+    for output in &outputs {
+        match sides.compare(output, &live) {
             // Where nothing is clocked, triangles may still show a difference.
             Err(error) if sides.algebra.is_spent() => {
-                let outputs: Vec<Output<'_>> = outputs.iter().map(|(.., output)| *output).collect();
-                let trial = Trial::new(question.profile, (devices, map), &outputs);
-                let clocked = flat.cells.values().any(|cell| cell.kind.contains("dff"));
                 let example =
-                    if clocked { None } else { trial.differing(&flat, CASES).map_err(design)? };
-                let verdict = match example {
-                    Some(example) => Verdict::Refuted(Refutation::Triangle(example)),
-                    None => Verdict::Undecided { words: error.to_string() },
-                };
-                return Ok((verdict, sides.assumed(question.profile, &outputs)));
+                    if flat.is_clocked() { None } else { trial.differing(&flat, CASES)? };
+                let words = error.to_string();
+                let verdict = example.map_or(Verdict::Undecided { words }, refuted);
+                return Ok((verdict, sides.assumed(&outputs)));
             }
             other => other?,
         }
     }
-    let outputs: Vec<Output<'_>> = outputs.into_iter().map(|(.., output)| output).collect();
     work.write(FORMS, &sides.forms)?;
-    let stages = sides.way.as_ref().map_or(0, Vec::len);
-    if sides.words.enables == 0 && stages != map.latency as usize {
-        let latency = map.latency;
-        return Err(
-            wrong(format!("latency = {latency}, and the words come {stages} clocks late")).into()
+    sides.has_latency().map_err(wrong)?;
+    let assumed = sides.assumed(&outputs);
+    let agree = format!("{} triangles", CASES + CORNERS);
+    let undecided = |words| Verdict::Undecided { words };
+    let verdict = if let Some(example) = trial.differing(&flat, CASES)? {
+        refuted(example)
+    } else if let Some((name, terms)) = sides.differ.first() {
+        undecided(format!(
+            "{name} has another normal form, by {terms} terms ({FORMS}), and {agree} show no difference"
+        ))
+    } else if sides.words.enabled && !trial.flows(&clocked)? {
+        undecided(format!(
+            "both sides of each word are equal, but with vertices that stand still the module does not show the \
+             words within {CLOCKS} clocks: give the inputs that let a record through in [constants]"
+        ))
+    } else {
+        let words = format!(
+            "{0} of {0} words have one normal form on both sides ({FORMS}); {agree} agree",
+            outputs.len()
         );
-    }
-    if sides.words.enables > 0 && map.latency > 0 {
-        let what =
-            "latency: registers load by enables, so no number of clocks is told: leave it out";
-        return Err(wrong(what.to_owned()).into());
-    }
-    let assumed = sides.assumed(question.profile, &outputs);
-    let trial = Trial::new(question.profile, (devices, map), &outputs);
-    let clocked = netlist::flat(&work.read("clocked.json")?).map_err(design)?;
-    let differing = trial.differing(&flat, CASES).map_err(design)?;
-    let verdict = match (differing, sides.differ.first()) {
-        (Some(example), _) => Verdict::Refuted(Refutation::Triangle(example)),
-        (None, None)
-            if sides.words.enables > 0 && !trial.flows(&clocked, wiring).map_err(design)? =>
-        {
-            Verdict::Undecided {
-                words: format!(
-                    "both sides of each word are equal, but with vertices that stand still the module does not show \
-                     the words within {CLOCKS} clocks: give the inputs that let a record through in [constants]"
-                ),
-            }
-        }
-        (None, None) => Verdict::Proved {
-            engine: "polynomials",
-            words: format!(
-                "{0} of {0} words have one normal form on both sides ({FORMS}); {1} triangles agree",
-                outputs.len(),
-                CASES + CORNERS
-            ),
-        },
-        (None, Some((name, terms))) => Verdict::Undecided {
-            words: format!(
-                "{name} has another normal form, by {terms} terms ({FORMS}), and {} triangles show no difference",
-                CASES + CORNERS
-            ),
-        },
+        Verdict::Proved { engine: "polynomials", words }
     };
     Ok((verdict, assumed))
 }
@@ -151,10 +118,9 @@ pub(super) fn prove(
 /// The vertices, and the module's inputs that are known.
 fn given<'a>(
     algebra: &mut Algebra,
-    profile: &Profile,
-    devices: &Devices,
-    map: &'a Map,
+    asked: &Asked<'a>,
 ) -> (Vec<(&'a str, Polynomial)>, [Vertex; 3]) {
+    let Asked { profile, devices, map, .. } = *asked;
     let (low, high) = profile.vertex.range();
     let most = (1i128 << devices.depth.integer) - 1;
     let mut inputs: Vec<(&str, Polynomial)> = Vec::new();
@@ -201,25 +167,18 @@ fn has_room(algebra: &Algebra, want: &Want, width: usize) -> Result<(), String> 
 }
 
 impl Sides<'_> {
-    fn compare(
-        &mut self,
-        want: &Want,
-        bits: &[Bit],
-        live: &Polynomial,
-    ) -> Result<(), EquivalenceError> {
+    fn compare(&mut self, output: &Output<'_>, live: &Polynomial) -> Result<(), EquivalenceError> {
+        let Output { want, bits, .. } = *output;
         let (name, width) = (want.name, u32::try_from(bits.len()).unwrap_or(u32::MAX));
-        let design = |module: &str, what: String| EquivalenceError::Design {
-            module: module.to_owned(),
-            what: format!("{name}: {what}"),
-        };
-        let got = self.words.joined(bits, &mut self.algebra);
-        let got = got.map_err(|what| design(self.module, what))?;
+        let asked = self.asked;
+        let design = |what: &str| asked.design(format!("{name}: {what}"));
+        let got = self.words.joined(bits, &mut self.algebra).map_err(|what| design(&what))?;
         if let (Some(here), Some(there)) = (&self.way, &got.way)
             && here != there
         {
-            let what =
-                "it comes behind other registers than the words before it, or their enables differ";
-            return Err(design(self.module, what.to_owned()));
+            return Err(design(
+                "it comes behind other registers than the words before it, or their enables differ",
+            ));
         }
         self.way = self.way.take().or(got.way);
         let difference = &got.value - &want.value;
@@ -242,8 +201,24 @@ impl Sides<'_> {
         Ok(())
     }
 
-    fn assumed(&self, profile: &Profile, outputs: &[Output<'_>]) -> Vec<String> {
-        let (low, high) = profile.vertex.range();
+    /// Whether the words come as late as the map says.
+    fn has_latency(&self) -> Result<(), String> {
+        let latency = self.asked.map.latency;
+        let stages = self.way.as_ref().map_or(0, Vec::len);
+        if self.words.enabled && latency > 0 {
+            return Err(
+                "latency: registers load by enables, so no number of clocks is told: leave it out"
+                    .to_owned(),
+            );
+        }
+        if !self.words.enabled && stages != latency as usize {
+            return Err(format!("latency = {latency}, and the words come {stages} clocks late"));
+        }
+        Ok(())
+    }
+
+    fn assumed(&self, outputs: &[Output<'_>]) -> Vec<String> {
+        let (low, high) = self.asked.profile.vertex.range();
         let mut list = vec![format!("each coordinate is in {low} to {high}, the profile's field")];
         if let Some(way) = self.way.as_ref().filter(|way| !way.is_empty()) {
             let stages =
@@ -252,14 +227,14 @@ impl Sides<'_> {
             list.push(format!(
                 "no reset while a record is in the {registers} registers on its way, {stages}"
             ));
-            if self.words.enables > 0 {
+            if self.words.enabled {
                 list.push(
                     "words are looked at when these registers hold one record: valid and ready are not proved"
                         .to_owned(),
                 );
             }
         }
-        if outputs.iter().any(|output| !matches!(output.range, Range::Word(_))) {
+        if outputs.iter().any(|output| !matches!(output.want.range, Range::Word(_))) {
             list.push(
                 "area and plane numerators are looked at where the area is not zero".to_owned(),
             );

@@ -24,7 +24,7 @@ impl<'a> Simulation<'a> {
     pub(super) fn new(flat: &'a Flat) -> Self {
         let mut drivers = HashMap::new();
         for cell in flat.cells.values() {
-            for (place, bit) in output(cell).iter().enumerate() {
+            for (place, bit) in cell.output().iter().enumerate() {
                 if let Bit::Net(net) = bit {
                     drivers.insert(*net, (cell, place));
                 }
@@ -49,8 +49,8 @@ impl<'a> Simulation<'a> {
 
     /// With registers that hold, zeros at first.
     pub(super) fn clocked(mut self) -> Self {
-        let registers = self.flat.cells.values().filter(|cell| cell.kind.contains("dff"));
-        for bit in registers.flat_map(output) {
+        let registers = self.flat.cells.values().filter(|cell| cell.is_register());
+        for bit in registers.flat_map(Cell::output) {
             if let Bit::Net(net) = bit {
                 self.held.insert(*net, false);
             }
@@ -61,8 +61,8 @@ impl<'a> Simulation<'a> {
     /// A rising edge: registers take what stands before them.
     pub(super) fn clock(&mut self) {
         let mut next = HashMap::new();
-        for cell in self.flat.cells.values().filter(|cell| cell.kind.contains("dff")) {
-            for (bit, d) in output(cell).iter().zip(&cell.wires["D"]) {
+        for cell in self.flat.cells.values().filter(|cell| cell.is_register()) {
+            for (bit, d) in cell.output().iter().zip(&cell.wires["D"]) {
                 if let Bit::Net(net) = bit {
                     next.insert(*net, self.bit(*d, DEPTH).unwrap_or_default());
                 }
@@ -107,7 +107,7 @@ impl<'a> Simulation<'a> {
         }
         let (cell, _) = *self.drivers.get(&net)?;
         let answer = self.cell(cell, depth.checked_sub(1)?)?;
-        for (place, bit) in output(cell).iter().enumerate() {
+        for (place, bit) in cell.output().iter().enumerate() {
             if let Bit::Net(net) = bit {
                 self.known.insert(*net, answer.bit(place as u64));
             }
@@ -125,7 +125,7 @@ impl<'a> Simulation<'a> {
 
     /// One of several words, or `a`.
     fn chosen(&mut self, cell: &Cell, a: BigInt, depth: u32) -> Option<BigInt> {
-        let width = output(cell).len();
+        let width = cell.output().len();
         let mut chosen = a;
         for (place, bit) in cell.wires["S"].iter().enumerate().rev() {
             if self.bit(*bit, depth)? {
@@ -137,7 +137,7 @@ impl<'a> Simulation<'a> {
 
     fn cell(&mut self, cell: &Cell, depth: u32) -> Option<BigInt> {
         let kind = cell.kind.as_str();
-        if kind.contains("dff") {
+        if cell.is_register() {
             return self.port(cell, "D", false, depth);
         }
         if kind == "$mux" {
@@ -191,17 +191,13 @@ impl<'a> Simulation<'a> {
             "$sshr" if is_signed => a >> b.to_u32()?.min(1 << 10),
             "$shr" | "$sshr" => {
                 // It fills with zeros from the wider of both words on.
-                let all = output(cell).len().max(cell.wires["A"].len());
+                let all = cell.output().len().max(cell.wires["A"].len());
                 let a = if a.is_negative() { a + (BigInt::one() << all) } else { a };
                 a >> b.to_u32()?.min(1 << 10)
             }
             _ => return None,
         })
     }
-}
-
-fn output(cell: &Cell) -> &[Bit] {
-    cell.wires.get("Y").or_else(|| cell.wires.get("Q")).map_or(&[], Vec::as_slice)
 }
 
 fn full(cell: &Cell) -> BigInt {

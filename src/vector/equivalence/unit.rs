@@ -1,6 +1,6 @@
 //! The units that a module is compared with: their signals, operations and parameters.
 
-use crate::format::ReadOut;
+use crate::format::{ReadOut, Role};
 use crate::profile::Profile;
 use crate::vector::write::Devices;
 
@@ -44,9 +44,6 @@ const fn input(name: &'static str, port: &'static str, width: u32) -> Signal {
 const fn output(name: &'static str, port: &'static str, width: u32) -> Signal {
     Signal { name, port, width, output: true }
 }
-
-/// Bits of a pixel coordinate, as the evaluators of `hdl` have it.
-const COORDINATE: u32 = 17;
 
 /// A unit of a profile.
 pub(super) struct Unit {
@@ -93,8 +90,12 @@ impl Unit {
         let [word, out, m] = [read.width(), read.integer(), edge.width()];
         let op = input("op", "op", 2);
         let same = |name, width| input(name, name, width);
-        let [x, y] = ["box_x_begin", "box_y_begin"].map(|name| same(name, COORDINATE));
-        let coordinate = ("C", COORDINATE.into());
+        let coordinate = Role::PIXEL_WORD.width();
+        let over_a_box = |words: [&'static str; 3], width, answer| {
+            let corner = ["box_x_begin", "box_y_begin"].map(|name| same(name, coordinate));
+            let words = words.map(|name| same(name, width));
+            [vec![op], corner.to_vec(), words.to_vec(), vec![answer]].concat()
+        };
         let (signals, parameters) = match block {
             Block::ReadOut => {
                 (vec![input("acc", "acc", word), output("out", "out_v", out)], of_read_out(read))
@@ -122,28 +123,16 @@ impl Unit {
                 vec![("M", m.into())],
             ),
             Block::EdgeEvaluator => (
-                vec![
-                    op,
-                    x,
-                    y,
-                    same("edge_init", m),
-                    same("edge_dx", m),
-                    same("edge_dy", m),
-                    output("in", "in_v", 1),
-                ],
-                vec![("M", m.into()), coordinate],
+                over_a_box(["edge_init", "edge_dx", "edge_dy"], m, output("in", "in_v", 1)),
+                vec![("M", m.into()), ("C", coordinate.into())],
             ),
             Block::DepthEvaluator => (
-                vec![
-                    op,
-                    x,
-                    y,
-                    same("depth_init", word),
-                    same("depth_dx", word),
-                    same("depth_dy", word),
+                over_a_box(
+                    ["depth_init", "depth_dx", "depth_dy"],
+                    word,
                     output("depth", "depth", out),
-                ],
-                [of_read_out(read), vec![coordinate]].concat(),
+                ),
+                [of_read_out(read), vec![("C", coordinate.into())]].concat(),
             ),
             Block::SetUp => {
                 let bits = profile.vertex.bits();

@@ -45,8 +45,8 @@ pub(super) struct Words<'a> {
     control: Control<'a>,
     /// Cells of the registers that were met.
     pub(super) registers: BTreeSet<&'a str>,
-    /// Registers among them that load by an enable.
-    pub(super) enables: usize,
+    /// Whether one of them loads by an enable.
+    pub(super) enabled: bool,
 }
 
 /// What registers on a way may be driven by.
@@ -79,14 +79,20 @@ impl<'a> Words<'a> {
             drive(Source::Input(name.as_str()), &port.bits);
         }
         for (name, cell) in &flat.cells {
-            if let Some(bits) = cell.wires.get("Y").or_else(|| cell.wires.get("Q")) {
-                drive(Source::Cell(name.as_str()), bits);
-            }
+            drive(Source::Cell(name.as_str()), cell.output());
         }
         let word = |value: &Polynomial| Word { value: value.clone(), way: Some(Vec::new()) };
         let known = inputs.iter().map(|(name, value)| ((Source::Input(name), 0, 0), word(value)));
         let (known, under_way) = (known.collect(), Vec::new());
-        Self { flat, drivers, known, under_way, control, registers: BTreeSet::new(), enables: 0 }
+        Self {
+            flat,
+            drivers,
+            known,
+            under_way,
+            control,
+            registers: BTreeSet::new(),
+            enabled: false,
+        }
     }
 
     /// The word on some bits, mod 2^(their number).

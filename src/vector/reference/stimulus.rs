@@ -59,7 +59,12 @@ struct Stimulus<'a> {
     size: [i128; 2],
 }
 
-impl Stimulus<'_> {
+impl<'a> Stimulus<'a> {
+    fn new(profile: &'a Profile, seed: u64) -> Self {
+        let clip = ready(profile, true).clip();
+        Self { random: Random(seed), profile, size: [clip.x1, clip.y1].map(i128::from) }
+    }
+
     /// Anywhere, or within 4 pixels of another one, in halves of a pixel or not.
     fn coordinate(&mut self, kind: u64, size: i128, near: Option<i128>) -> i128 {
         let s = self.profile.vertex.sub_pixel;
@@ -93,9 +98,7 @@ impl Stimulus<'_> {
 
 /// Triangles anywhere, near each other, on half pixels, and at the ends of depth.
 pub(super) fn triangles(profile: &Profile, integer: u32, count: u64) -> Vec<Triangle> {
-    let clip = ready(profile, true).clip();
-    let size = [clip.x1, clip.y1].map(i128::from);
-    let mut given = Stimulus { random: Random(1), profile, size };
+    let mut given = Stimulus::new(profile, 1);
     (0..count).map(|n| given.triangle(n & 3, integer)).collect()
 }
 
@@ -114,9 +117,7 @@ pub(super) fn digests(
     cases: u64,
 ) -> [u64; 4] {
     let (model, set_up) = (ready(profile, true), ready(profile, false));
-    let clip = model.clip();
-    let size = [clip.x1, clip.y1].map(i128::from);
-    let mut given = Stimulus { random: Random(seed), profile, size };
+    let mut given = Stimulus::new(profile, seed);
     let [mut acc, mut word] = [read, edge].map(|read| Walker::new(read, 0, 0, 0));
     let mut digests = [(); 4].map(|()| Digest(0xcbf2_9ce4_8422_2325));
     let [of_dda, of_edge, of_words, of_samples] = &mut digests;
@@ -145,7 +146,7 @@ pub(super) fn digests(
         }
 
         for _ in 0..4 {
-            let [x, y] = size.map(|size| given.random.below(size));
+            let [x, y] = given.size.map(|size| given.random.below(size));
             let at = |k: usize| words[k] + x * words[k + 1] + y * words[k + 2];
             of_samples.number(u8::from(*flag == 0 && [0, 3, 6].into_iter().all(|k| inside(at(k)))));
             of_samples.number(read.read(at(9)));

@@ -1,11 +1,13 @@
 //! Whether a map fits the ports of a module.
 
 use super::{Map, MapError, Wiring};
+use crate::vector::equivalence::Signal;
 use crate::vector::equivalence::netlist::Port;
 use crate::vector::equivalence::unit::{ANY, Block, Unit};
 
 impl Map {
-    /// Whether each port is there, as wide as its signal, and each input of the module driven.
+    /// Whether each port is there, as wide as its signal, and each input of the module driven. The words of a set-up are
+    /// read from the netlist: its outputs are wires, too, and what is not named is looked at if a word depends on it.
     pub(in crate::vector::equivalence) fn fits(
         &self,
         unit: &Unit,
@@ -21,15 +23,13 @@ impl Map {
         if self.latency > 63 {
             return Err(self.wrong(format!("latency = {}: 0 to 63 clocks", self.latency)));
         }
-        let operations = unit.block.operations();
-        if unit.block == Block::SetUp {
-            return self.fits_words(unit, ports);
-        }
-        if self.division.is_some() && unit.block != Block::Divider {
-            return Err(self.wrong("[division] belongs to the block divider".to_owned()));
-        }
         if unit.block == Block::Divider {
             self.divides(ports)?;
+        } else if self.division.is_some() {
+            return Err(self.wrong("[division] belongs to the block divider".to_owned()));
+        }
+        if self.held && unit.block.operations().is_empty() {
+            return Err(self.wrong("held = true: the unit has no operation that loads".to_owned()));
         }
         let has_clk = ports.iter().any(|port| port.name == "clk");
         let clocked = unit.block.is_clocked() || has_clk;
@@ -40,34 +40,43 @@ impl Map {
         if let Some(reset) = &self.reset {
             self.port(ports, ("reset", &reset.port), false, 1)?;
         }
-        if self.held && operations.is_empty() {
-            return Err(self.wrong("held = true: the unit has no operation that loads".to_owned()));
-        }
-        let op = self.ports.get("op").and_then(|op| ports.iter().find(|port| port.name == *op));
-        let code_bits = op.map_or(2, |port| port.width);
-        for signal in &unit.signals {
-            let width = if signal.name == "op" { code_bits } else { signal.width };
-            match self.ports.get(signal.name) {
-                Some(port) if width == ANY => {
-                    let own = ports.iter().find(|other| other.name == *port);
-                    let own = own.map_or(1, |port| port.width);
-                    self.port(ports, (signal.name, port), signal.output, own)?;
+        let code_bits = self.signals(unit, ports)?;
+        self.has_codes(unit, code_bits)?;
+        self.drives(unit.block, clock.as_ref(), ports)?;
+        Ok(Wiring { clock, code_bits })
+    }
+
+    /// Whether signals have their ports. Gives the bits of the operation's port.
+    fn signals(&self, unit: &Unit, ports: &[Port]) -> Result<u32, MapError> {
+        let width_of =
+            |name: &String| ports.iter().find(|port| port.name == *name).map(|port| port.width);
+        let has = |name: &str| self.ports.contains_key(name);
+        let outputs = || unit.signals.iter().filter(|signal| signal.output && has(signal.name));
+        let in_netlist = unit.block == Block::SetUp;
+        let needs_depth = outputs().any(|signal| signal.name.starts_with("plane"));
+        let code_bits = self.ports.get("op").and_then(width_of).unwrap_or(2);
+        for Signal { name, width, output, .. } in &unit.signals {
+            match self.ports.get(*name) {
+                Some(_) if in_netlist && *output => {}
+                Some(port) => {
+                    let width = match *width {
+                        _ if *name == "op" => code_bits,
+                        ANY => width_of(port).unwrap_or(1),
+                        width => width,
+                    };
+                    self.port(ports, (name, port), *output, width)?;
                 }
-                Some(port) => self.port(ports, (signal.name, port), signal.output, width)?,
-                None if signal.output => {}
+                None if *output => {}
+                None if in_netlist && name.ends_with("_z") && !needs_depth => {}
                 None => {
-                    let name = signal.name;
                     return Err(self.wrong(format!("[ports] has no {name}: which port takes it?")));
                 }
             }
         }
-        if !unit.signals.iter().any(|signal| signal.output && self.ports.contains_key(signal.name))
-        {
+        if outputs().next().is_none() {
             return Err(self.wrong("[ports] has no output: nothing would be compared".to_owned()));
         }
-        self.has_codes(unit, code_bits)?;
-        self.drives(clock.as_ref(), ports)?;
-        Ok(Wiring { clock, code_bits })
+        Ok(code_bits)
     }
 
     /// Whether a divider has what its protocol needs.
@@ -83,59 +92,17 @@ impl Map {
             return Err(self.wrong("[ports] needs quotient, and one of busy and done".to_owned()));
         }
         for (name, wire) in self.division.iter().flat_map(|steps| &steps.wires) {
-            if name.starts_with("ref_") || name.contains('.') {
-                return Err(self.wrong(format!(
-                    "[division.wires] {name}: names with a point or beginning with ref_ are the reference's"
-                )));
+            if name.contains('.') {
+                return Err(self.wrong(format!("[division.wires] {name}: a name without a point")));
             }
             if ports.iter().any(|port| port.name == *wire) {
                 return Err(self.wrong(format!(
-                    "[division.wires] {name}: {wire} is a port; only wires inside can be named"
+                    "[division.wires] {name}: {wire} is a port; the quotient is got_quotient in lemmas, and busy or \
+                     done got_busy or got_done"
                 )));
             }
         }
         Ok(())
-    }
-
-    /// The same for words that are read from the netlist: outputs are also wires, inputs that no output needs may be
-    /// left out, and what is not named is looked at if a word depends on it.
-    fn fits_words(&self, unit: &Unit, ports: &[Port]) -> Result<Wiring, MapError> {
-        let has = |name: &str| self.ports.contains_key(name);
-        let needs_depth =
-            unit.signals.iter().any(|signal| signal.name.starts_with("plane") && has(signal.name));
-        for signal in unit.signals.iter().filter(|signal| !signal.output) {
-            let name = signal.name;
-            match self.ports.get(name) {
-                Some(port) => self.port(ports, (name, port), false, signal.width)?,
-                None if name.ends_with("_z") && !needs_depth => {}
-                None => {
-                    return Err(self.wrong(format!("[ports] has no {name}: which port takes it?")));
-                }
-            }
-        }
-        if self.latency > 63 {
-            return Err(self.wrong(format!("latency = {}: 0 to 63 clocks", self.latency)));
-        }
-        let has_clk = ports.iter().any(|port| port.name == "clk");
-        let clock = self.clock.clone().or_else(|| has_clk.then(|| "clk".to_owned()));
-        if let Some(clock) = &clock {
-            self.port(ports, ("clock", clock), false, 1)?;
-        }
-        if let Some(reset) = &self.reset {
-            self.port(ports, ("reset", &reset.port), false, 1)?;
-        }
-        for name in self.constants.keys() {
-            if !ports.iter().any(|port| port.name == *name && !port.output) {
-                return Err(self.wrong(format!("[constants] {name}: the module has no such input")));
-            }
-        }
-        let mut taken: Vec<&String> = self.ports.values().chain(self.constants.keys()).collect();
-        taken.extend(self.reset.iter().map(|reset| &reset.port).chain(&clock));
-        taken.sort_unstable();
-        if let Some([twice, _]) = taken.windows(2).find(|pair| pair[0] == pair[1]) {
-            return Err(self.wrong(format!("the port {twice} is named twice")));
-        }
-        Ok(Wiring { clock, code_bits: 0 })
     }
 
     /// Whether a port is there, and is what a signal needs.
@@ -198,11 +165,12 @@ impl Map {
     }
 
     /// Whether each input is driven, and by one thing.
-    fn drives(&self, clock: Option<&String>, ports: &[Port]) -> Result<(), MapError> {
+    fn drives(&self, block: Block, clock: Option<&String>, ports: &[Port]) -> Result<(), MapError> {
         let reset = self.reset.as_ref().map(|reset| &reset.port);
         let mut taken: Vec<&String> = self.ports.values().chain(self.constants.keys()).collect();
         taken.extend(reset.into_iter().chain(clock));
-        if let Some(port) = ports.iter().find(|port| !port.output && !taken.contains(&&port.name)) {
+        let free = ports.iter().find(|port| !port.output && !taken.contains(&&port.name));
+        if let Some(port) = free.filter(|_| block != Block::SetUp) {
             return Err(self.wrong(format!(
                 "nothing drives the input {}: name it in [ports], or give it a value in [constants]",
                 port.name

@@ -2,16 +2,14 @@
 
 use super::Output;
 use crate::model::Model;
-use crate::profile::Profile;
 use crate::setup::{Gradient, Triangle};
 use crate::vector::bench::ready;
 use crate::vector::device::setup_words;
-use crate::vector::equivalence::map::Wiring;
+use crate::vector::equivalence::clauses::Want;
 use crate::vector::equivalence::netlist::Flat;
 use crate::vector::equivalence::simulate::Simulation;
-use crate::vector::equivalence::{Counterexample, Differing, Map};
+use crate::vector::equivalence::{Asked, Counterexample, Differing, EquivalenceError};
 use crate::vector::reference::triangles;
-use crate::vector::write::Devices;
 use num_bigint::BigInt;
 use num_traits::One;
 
@@ -24,20 +22,18 @@ const RECORDS: usize = 4;
 
 /// A module's outputs, and the model they are compared with.
 pub(super) struct Trial<'a> {
-    profile: &'a Profile,
-    devices: &'a Devices,
-    map: &'a Map,
+    asked: &'a Asked<'a>,
     outputs: &'a [Output<'a>],
     model: Model,
 }
 
 impl<'a> Trial<'a> {
-    pub(super) fn new(
-        profile: &'a Profile,
-        (devices, map): (&'a Devices, &'a Map),
-        outputs: &'a [Output<'a>],
-    ) -> Self {
-        Self { profile, devices, map, outputs, model: ready(profile, false) }
+    pub(super) fn new(asked: &'a Asked<'a>, outputs: &'a [Output<'a>]) -> Self {
+        Self { asked, outputs, model: ready(asked.profile, false) }
+    }
+
+    fn triangles(&self, count: usize) -> Vec<Triangle> {
+        triangles(self.asked.profile, self.asked.devices, count as u64)
     }
 
     /// Words for a triangle that are not the model's, with registers as wires.
@@ -45,11 +41,9 @@ impl<'a> Trial<'a> {
         &self,
         flat: &Flat,
         cases: usize,
-    ) -> Result<Option<Counterexample>, String> {
+    ) -> Result<Option<Counterexample>, EquivalenceError> {
         let mut simulation = Simulation::new(flat);
-        for triangle in
-            triangles(self.profile, self.devices, cases as u64).into_iter().chain(self.corners())
-        {
+        for triangle in self.triangles(cases).into_iter().chain(self.corners()) {
             let reset = self.reset(false);
             simulation.set(self.inputs(&triangle).chain(reset));
             let words = self.words(flat, &mut simulation, &triangle)?;
@@ -61,13 +55,13 @@ impl<'a> Trial<'a> {
     }
 
     /// Whether triangles come through the registers, each one standing before them until its words are there.
-    pub(super) fn flows(&self, flat: &Flat, wiring: &Wiring) -> Result<bool, String> {
+    pub(super) fn flows(&self, flat: &Flat) -> Result<bool, EquivalenceError> {
         let mut simulation = Simulation::new(flat).clocked();
         let known = |name: &str| {
-            let constants = self.map.constants.contains_key(name);
+            let constants = self.asked.map.constants.contains_key(name);
             constants
-                || wiring.clock.as_deref() == Some(name)
-                || self.map.ports.values().any(|port| port == name)
+                || self.asked.wiring.clock.as_deref() == Some(name)
+                || self.asked.map.ports.values().any(|port| port == name)
         };
         let free = flat
             .ports
@@ -77,7 +71,7 @@ impl<'a> Trial<'a> {
         let free: Vec<(&str, i128)> = free.map(|(name, _)| (name.as_str(), 1)).collect();
         simulation.set(free.iter().copied().chain(self.reset(true)));
         simulation.clock();
-        for triangle in triangles(self.profile, self.devices, RECORDS as u64) {
+        for triangle in self.triangles(RECORDS) {
             let mut came = false;
             for _ in 0..CLOCKS {
                 let free = free.iter().copied();
@@ -97,7 +91,7 @@ impl<'a> Trial<'a> {
 
     fn reset(&self, active: bool) -> impl Iterator<Item = (&str, i128)> {
         let level = move |low: bool| i128::from(low != active);
-        self.map.reset.iter().map(move |reset| (reset.port.as_str(), level(reset.active_low)))
+        self.asked.map.reset.iter().map(move |reset| (reset.port.as_str(), level(reset.active_low)))
     }
 
     /// A triangle at the module's inputs.
@@ -106,9 +100,9 @@ impl<'a> Trial<'a> {
         let numbers = numbers.flat_map(|(k, ([x, y], z))| {
             [(format!("v{k}_x"), x), (format!("v{k}_y"), y), (format!("v{k}_z"), z)]
         });
-        let ports =
-            numbers.filter_map(|(name, value)| Some((self.map.ports.get(&name)?.as_str(), value)));
-        let constants = self.map.constants.iter();
+        let ports = numbers
+            .filter_map(|(name, value)| Some((self.asked.map.ports.get(&name)?.as_str(), value)));
+        let constants = self.asked.map.constants.iter();
         ports.chain(constants.map(|(port, value)| (port.as_str(), i128::from(*value))))
     }
 
@@ -118,14 +112,13 @@ impl<'a> Trial<'a> {
         flat: &Flat,
         simulation: &mut Simulation<'_>,
         triangle: &Triangle,
-    ) -> Result<Vec<Differing>, String> {
+    ) -> Result<Vec<Differing>, EquivalenceError> {
         let known = self.model_words(triangle);
         let mut words = Vec::new();
-        for Output { name, port, .. } in self.outputs {
-            let bits =
-                flat.names.get(*port).or_else(|| flat.ports.get(*port).map(|port| &port.bits));
-            let got = bits.and_then(|bits| Some((bits.len(), simulation.number(bits)?)));
-            let (width, got) = got.ok_or_else(|| format!("{name}: a bit of it has no value"))?;
+        for Output { want: Want { name, .. }, port, .. } in self.outputs {
+            let got = flat.wire(port).and_then(|bits| Some((bits.len(), simulation.number(bits)?)));
+            let (width, got) =
+                got.ok_or_else(|| self.asked.design(format!("{name}: a bit of it has no value")))?;
             let Some((_, want)) = known.iter().find(|(known, _)| known == name) else { continue };
             let want = want & ((BigInt::one() << width) - 1u32);
             if got != want {
@@ -155,7 +148,7 @@ impl<'a> Trial<'a> {
         let normalised = triangle.normalised();
         if let Some(z) = normalised.z.filter(|_| triangle.area2() != 0) {
             let Gradient { x, y, area2, anchor: ([x0, y0], z0) } = Gradient::new(&normalised, z);
-            let [at_x, at_y] = self.devices.setup.sample;
+            let [at_x, at_y] = self.asked.devices.setup.sample;
             let start = BigInt::from(z0) * area2
                 + BigInt::from(x) * (at_x - x0)
                 + BigInt::from(y) * (at_y - y0);
@@ -172,8 +165,8 @@ impl<'a> Trial<'a> {
     /// Triangles of the ends of the field and their neighbours, and of a sub-pixel or two: where a word is one bit
     /// short, and where an area is 1.
     fn corners(&self) -> impl Iterator<Item = Triangle> {
-        let (low, high) = self.profile.vertex.range();
-        let most = (1i128 << self.devices.depth.integer) - 1;
+        let (low, high) = self.asked.profile.vertex.range();
+        let most = (1i128 << self.asked.devices.depth.integer) - 1;
         let middle = low + (high - low) / 2;
         let ends = [
             [low, low],

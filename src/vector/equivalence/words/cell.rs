@@ -26,7 +26,7 @@ impl<'a> Words<'a> {
         cell: &Cell,
         algebra: &mut Algebra,
     ) -> Result<Word, String> {
-        let width = from(cell.wires.get("Y").or_else(|| cell.wires.get("Q")).map_or(0, Vec::len));
+        let width = from(cell.output().len());
         let kind = cell.kind.as_str();
         let answer = match kind {
             "$add" | "$sub" | "$mul" | "$and" | "$or" | "$xor" | "$xnor" => {
@@ -185,7 +185,7 @@ impl<'a> Words<'a> {
         }
         let d = self.joined(&cell.wires["D"], algebra)?;
         self.registers.insert(name);
-        self.enables += usize::from(enable.is_some());
+        self.enabled |= enable.is_some();
         let way = d.way.map(|mut way| {
             way.push((enable.unwrap_or(Bit::One), cell.is("EN_POLARITY")));
             way
