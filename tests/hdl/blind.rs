@@ -9,6 +9,8 @@
 // Clause J-5.
 #[path = "blind/operator.rs"]
 mod operator;
+#[path = "blind/probe.rs"]
+mod probe;
 #[path = "blind/proof.rs"]
 pub(crate) mod proof;
 #[path = "blind/report.rs"]
