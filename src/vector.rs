@@ -8,6 +8,7 @@ pub mod diff;
 pub mod dump;
 pub mod emit;
 pub mod equivalence;
+mod formal;
 pub mod manifest;
 pub mod package;
 pub mod plan;

@@ -12,6 +12,8 @@ mod cost;
 mod division;
 #[path = "hdl/equivalence.rs"]
 mod equivalence;
+#[path = "hdl/folder.rs"]
+mod folder;
 #[path = "hdl/foreign.rs"]
 mod foreign;
 #[path = "hdl/formal.rs"]
@@ -85,6 +87,8 @@ fn main() {
         VERILATOR.trial("a_dump_is_whole_when_the_bench_stops", foreign::dump_before_the_end),
         ICARUS.trial("waves_line_up_with_the_trace", wave::lines_up),
         cocotb.soak_trial("the_cocotb_scoreboard_passes_and_fails", scoreboard::cocotb),
+        YOSYS.trial("scripts_of_a_set_prove_its_devices", folder::scripts),
+        VERILATOR.soak_trial("assertions_of_a_set_see_defects", folder::assertions),
         solver.trial("words_wrap_as_proved", formal::words_wrap),
         solver.trial("the_guard_clamp_holds_as_proved", formal::guard_clamps),
         solver.trial("edge_words_fit_as_proved", formal::edges_fit),

@@ -229,7 +229,7 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     let wiring = map.fits(&unit, &found.ports)?;
     let asked =
         Asked { profile, devices: &devices, unit: &unit, map, wiring: &wiring, module: &found };
-    let (verdict, assumed) = match block {
+    let (verdict, mut assumed) = match block {
         Block::SetUp => setup::prove(&asked, &work)?,
         Block::Divider => division::prove(&asked, &work)?,
         Block::ReadOut
@@ -238,6 +238,11 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         | Block::EdgeEvaluator
         | Block::DepthEvaluator => stepper::prove(&asked, &work)?,
     };
+    if !map.parameters.is_empty() {
+        let list = map.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
+        assumed
+            .push(format!("the module has the parameters {}", list.collect::<Vec<_>>().join(", ")));
+    }
     let seconds = begun.elapsed().as_secs_f64();
     Ok(Answer { verdict, assumed, signals: unit.signals, seconds })
 }

@@ -89,9 +89,9 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
         tree(&out)
     };
     let one = write(1);
-    // Ten vector files, eleven companions and a manifest each; two files each for d3d11's lines and
+    // Ten vector files, eleven companions, seven files of `formal` and a manifest each; two files each for d3d11's lines and
     // points; and the index.
-    assert_eq!(one.len(), 3 * 22 + 4 + 1);
+    assert_eq!(one.len(), 3 * 29 + 4 + 1);
     for threads in [2, 7] {
         assert!(write(threads) == one, "{threads} threads");
     }
@@ -515,4 +515,42 @@ mod command {
             ran.complains(2, &[id, "dda/guard-boundary/0..70"]);
         }
     }
+}
+
+/// A profile without a reference has no folder `formal`, and neither has a set without benches. What stands in such a
+/// folder beside the files of the set is kept.
+// Clause J-12
+#[cfg(feature = "cli")]
+#[test]
+fn assertions_and_scripts_have_a_folder() {
+    let home = tempfile::tempdir().unwrap();
+    let vectors = |line: &str| run::run_in(home.path(), &format!("vectors {line}"));
+    for (profile, has) in [("tiny", true), ("d3d11", true), ("larrabee", false), ("n64", false)] {
+        vectors(&format!("{profile} --size smoke --out {profile}")).ends(0);
+        assert_eq!(home.path().join(profile).join("formal").exists(), has, "{profile}");
+    }
+    vectors("tiny --size smoke --format bin --out rows").ends(0);
+    assert!(!home.path().join("rows/formal").exists());
+    // Twice in its place, then with something else in the folder, alone and in a folder of sets.
+    vectors("tiny --size smoke --out tiny --force").ends(0);
+    std::fs::create_dir(home.path().join("tiny/formal/dda")).unwrap();
+    let kept = ["tiny/formal/dda does not belong to a vector set"];
+    vectors("tiny --size smoke --out tiny --force").complains(2, &kept);
+    std::fs::remove_dir(home.path().join("tiny/formal/dda")).unwrap();
+    vectors("tiny --size smoke --out tiny --force").ends(0);
+    vectors("--size smoke --out both").ends(0);
+    std::fs::write(home.path().join("both/sgi-4k/formal/notes"), "mine").unwrap();
+    let kept = ["both/sgi-4k/formal/notes does not belong to a vector set"];
+    vectors("--size smoke --out both --force").complains(2, &kept);
+    assert_eq!(read(&home.path().join("both/sgi-4k/formal/notes")), "mine");
+    // A file that is not as made, one that is missing, and a manifest that points elsewhere.
+    let path = home.path().join("d3d11/formal/bind.sv");
+    std::fs::write(&path, read(&path).replace(".clk(clk)", ".clk(rst)")).unwrap();
+    let verify = |set: &str| run::run_in(home.path(), &format!("verify {set}"));
+    assert!(verify("d3d11").ends(1).out.contains("formal/bind.sv"));
+    std::fs::remove_file(&path).unwrap();
+    assert!(verify("d3d11").ends(1).out.contains("formal/bind.sv"));
+    let path = home.path().join("d3d11/manifest.json");
+    std::fs::write(&path, read(&path).replace("formal/bind.sv", "formal/../dut.sv")).unwrap();
+    verify("d3d11").complains(2, &["formal/../dut.sv", "neither a plain file name"]);
 }

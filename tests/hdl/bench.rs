@@ -1,7 +1,9 @@
 //! Benches that pass, in sizes and profiles that mean something.
 
 // Clauses J-1, J-2 and J-3.
-use crate::set::{GHDL, ICARUS, Set, VERILATOR, build_ghdl, build_icarus, build_verilator, good};
+use crate::set::{
+    GHDL, ICARUS, Set, VERILATOR, build_asserted, build_ghdl, build_icarus, build_verilator, good,
+};
 use guardbit::bits::Rounding;
 use std::path::{Path, PathBuf};
 use std::thread;
@@ -119,7 +121,12 @@ pub(crate) fn verilator(_: &str) {
             folders
                 .iter()
                 .map(|folder| {
-                    build_verilator(folder);
+                    // Under assertions, where the set has some.
+                    if folder.join("formal").exists() {
+                        build_asserted(folder);
+                    } else {
+                        build_verilator(folder);
+                    }
                     passes(folder, VERILATOR)
                 })
                 .sum::<u64>()

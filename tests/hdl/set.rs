@@ -99,6 +99,14 @@ pub(crate) fn build_verilator(folder: &Path) {
     good(folder, "verilator", &[&options[..], &files].concat());
 }
 
+/// Builds it with the assertions of the set's folder `formal` in the devices, as `bind.sv` says there.
+pub(crate) fn build_asserted(folder: &Path) {
+    let options = ["--binary", "--assert", "-O3", "-Wno-fatal", "--top-module", "tb", "-j", "2"];
+    let formal = ["formal/reference.sv", "formal/properties.sv", "formal/bind.sv"];
+    let files = ["pkg.sv", "dut.sv", "tb.sv", "-o", "sim"];
+    good(folder, "verilator", &[&options[..], &formal, &files].concat());
+}
+
 /// Builds a set's bench in GHDL, as its head says.
 pub(crate) fn build_ghdl(folder: &Path) {
     good(folder, "ghdl", &["-a", "--std=08", "pkg.vhd", "dut.vhd", "tb.vhd"]);

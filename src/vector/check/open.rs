@@ -2,6 +2,7 @@
 
 use super::{CheckError, Finding, OpenSet, io};
 use crate::model::MODEL_VERSION;
+use crate::vector::formal::FOLDER;
 use crate::vector::manifest::{self, Manifest};
 use crate::vector::write::{INDEX, SetIndex};
 use serde::Deserialize;
@@ -48,12 +49,22 @@ pub fn open(dir: &Path) -> Result<(Vec<OpenSet>, Vec<Finding>), CheckError> {
         if manifest.shard.index >= manifest.shard.parts {
             return Err(bad("shard: 0 <= index < parts is needed".to_owned()));
         }
-        if let Some(file) = manifest.files.iter().find(|file| file.name.contains(['/', '\\'])) {
-            return Err(bad(format!("files: {:?} is not a plain file name", file.name)));
+        if let Some(file) = manifest.files.iter().find(|file| !is_name(&file.name)) {
+            return Err(bad(format!(
+                "files: {:?} is neither a plain file name nor one in the folder {FOLDER}",
+                file.name
+            )));
         }
         sets.push(OpenSet { folder, manifest });
     }
     Ok((sets, findings))
+}
+
+/// Whether a manifest may list a file of this name.
+fn is_name(name: &str) -> bool {
+    let inner = name.strip_prefix(FOLDER).and_then(|rest| rest.strip_prefix('/'));
+    let name = inner.unwrap_or(name);
+    !name.contains(['/', '\\']) && !["", ".", ".."].contains(&name)
 }
 
 /// The text of a file, if it is there.

@@ -4,6 +4,7 @@ use super::map::Steps;
 use super::netlist::{self, Port};
 use super::tool::{self, Ran};
 use super::{EquivalenceError, Map, io};
+use crate::vector::formal::WIDER_FIRST;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -24,15 +25,6 @@ pub(super) struct Device {
     pub(super) parameters: Vec<(String, i128)>,
     pub(super) ports: Vec<Port>,
 }
-
-/// A product is one cell on both sides, however its operands are ordered: no solver tells two multipliers
-/// equal by their gates.
-const WIDER_FIRST: &str = "(* techmap_celltype = \"$mul\" *)\nmodule wider_first (A, B, Y);\n    \
-    parameter A_SIGNED = 0, B_SIGNED = 0, A_WIDTH = 1, B_WIDTH = 1, Y_WIDTH = 1;\n    \
-    input [A_WIDTH-1:0] A;\n    input [B_WIDTH-1:0] B;\n    output [Y_WIDTH-1:0] Y;\n    \
-    wire _TECHMAP_FAIL_ = A_WIDTH >= B_WIDTH;\n    \
-    \\$mul #(.A_SIGNED(B_SIGNED), .B_SIGNED(A_SIGNED), .A_WIDTH(B_WIDTH), .B_WIDTH(A_WIDTH), .Y_WIDTH(Y_WIDTH))\n        \
-    _TECHMAP_REPLACE_ (.A(B), .B(A), .Y(Y));\nendmodule\n";
 
 impl Work<'_> {
     pub(super) fn write(&self, name: &str, text: &str) -> Result<(), EquivalenceError> {

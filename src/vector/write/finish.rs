@@ -8,6 +8,7 @@ use crate::scene::{self, lines};
 use crate::setup::{Triangle, VertexConfig};
 use crate::vector::bench::{Bench, Cells};
 use crate::vector::emit::Emitted;
+use crate::vector::formal;
 use crate::vector::manifest::{
     self, CoverageEntry, FileEntry, GroupEntry, Manifest, SceneEntry, ShardEntry, UncheckedEntry,
     sha256,
@@ -46,6 +47,7 @@ pub fn companions(
     // The benches read the golden form only.
     if format == RowFormat::Tv && !zstd {
         list.extend(package::files(&interface(set, profile, vector_files)));
+        list.extend(formal::files(set, profile));
     }
     list
 }
@@ -123,7 +125,9 @@ pub(super) fn finish(
         if entry.name == "scene.jsonl" {
             scene_digest.clone_from(&entry.sha256);
         }
-        std::fs::write(folder.join(&entry.name), text)?;
+        let path = folder.join(&entry.name);
+        path.parent().map_or(Ok(()), std::fs::create_dir_all)?;
+        std::fs::write(path, text)?;
         entries.push(entry);
     }
     let manifest = Manifest {

@@ -8,7 +8,7 @@ use std::collections::BTreeSet;
 use std::ffi::OsString;
 use std::fs;
 use std::io::{Error, ErrorKind, Result};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 /// Where a set is built, and what it will replace.
 pub(super) struct Place {
@@ -142,36 +142,58 @@ fn listed<T: DeserializeOwned>(path: &Path) -> Option<T> {
 }
 
 /// What a run of this program, of any version, left in a folder, which is nothing if there is no set to
-/// be read; and what it did not leave in the folder of one of its sets.
+/// be read; and what it did not leave in a folder of its own inside.
 fn made_by_us(out: &Path) -> (BTreeSet<OsString>, Option<PathBuf>) {
     let (mut ours, mut inner) = (BTreeSet::new(), None);
-    let own = |folder: &Path| -> Option<BTreeSet<OsString>> {
-        let listed: Listed = listed(&folder.join(manifest::NAME))?;
-        // What a bench of the set dumps beside the files that it compares.
-        let dump = |file: &ListedFile| {
-            file.name
-                .strip_suffix(".exp.tv")
-                .map(|stem| OsString::from(format!("{stem}.exp.dut.tv")))
-        };
-        let dumps: Vec<OsString> = listed.files.iter().filter_map(dump).collect();
-        let files = listed.files.into_iter().map(|file| OsString::from(file.name));
-        Some(files.chain(dumps).chain([OsString::from(manifest::NAME)]).collect())
+    let mut take = |name: OsString, strange: Option<PathBuf>| match strange {
+        None => _ = ours.insert(name),
+        Some(path) => inner = inner.take().or(Some(path)),
     };
-    let Some(index) = listed::<ListedSets>(&out.join(INDEX)) else {
-        return (own(out).unwrap_or_default(), None);
-    };
-    ours.insert(OsString::from(INDEX));
-    for set in index.sets {
-        let folder = out.join(&set.folder);
-        let strange = match (own(&folder), names(&folder)) {
-            (Some(own), Ok(names)) => names.into_iter().find(|name| !own.contains(name)),
-            // Nobody knows what is in a folder without a manifest, or that cannot be listed.
-            _ => Some(OsString::new()),
-        };
-        match strange {
-            None => _ = ours.insert(OsString::from(set.folder)),
-            Some(name) => inner = inner.or(Some(folder.join(name))),
+    if let Some(index) = listed::<ListedSets>(&out.join(INDEX)) {
+        take(OsString::from(INDEX), None);
+        for set in index.sets {
+            let folder = out.join(&set.folder);
+            let strange = match left(&folder) {
+                Some(files) => stranger(&folder, &folder, &files),
+                // Nobody knows what is in a folder without a manifest.
+                None => Some(folder),
+            };
+            take(OsString::from(set.folder), strange);
+        }
+    } else {
+        let files = left(out).unwrap_or_default();
+        for file in &files {
+            let Some(Component::Normal(name)) = file.components().next() else { continue };
+            let path = out.join(name);
+            let strange = if path.is_dir() { stranger(out, &path, &files) } else { None };
+            take(name.to_owned(), strange);
         }
     }
     (ours, inner)
+}
+
+/// The files of the set in a folder, and what a bench of it dumps beside the files that it compares.
+fn left(folder: &Path) -> Option<BTreeSet<PathBuf>> {
+    let listed: Listed = listed(&folder.join(manifest::NAME))?;
+    let names = listed.files.into_iter().flat_map(|file| {
+        let dump = file.name.strip_suffix(".exp.tv").map(|stem| format!("{stem}.exp.dut.tv"));
+        dump.into_iter().chain([file.name])
+    });
+    Some(names.chain([manifest::NAME.to_owned()]).map(PathBuf::from).collect())
+}
+
+/// What stands in a folder of a set, and in the folders there, and is none of the set's files.
+fn stranger(set: &Path, folder: &Path, files: &BTreeSet<PathBuf>) -> Option<PathBuf> {
+    // What cannot be listed may hold anything.
+    let Ok(names) = names(folder) else { return Some(folder.to_owned()) };
+    names.into_iter().map(|name| folder.join(name)).find_map(|path| {
+        let own = path.strip_prefix(set).unwrap_or(&path);
+        if files.contains(own) && !path.is_dir() {
+            None
+        } else if files.iter().any(|file| file.parent() == Some(own)) && path.is_dir() {
+            stranger(set, &path, files)
+        } else {
+            Some(path)
+        }
+    })
 }

@@ -6,7 +6,7 @@ use crate::mutant::steppers;
 use crate::run::run_in;
 use crate::set::run;
 use guardbit::profile;
-use guardbit::vector::equivalence::{Block, EquivalenceError, Question, Verdict, prove};
+use guardbit::vector::equivalence::{Block, EquivalenceError, Map, Question, Verdict, prove};
 use std::path::Path;
 use std::time::{Duration, SystemTime};
 
@@ -22,8 +22,36 @@ fn block(module: &str) -> Option<Block> {
     ALL.into_iter().find(|block| block.module() == module)
 }
 
+/// The divider at the widths of a slope; without a map it has those of the start. A proof is one of these widths.
+const OF_A_SLOPE: &str = "module = \"setup_divider\"
+[reset]
+port = \"rst\"
+[ports]
+start = \"start\"
+numerator = \"numerator\"
+divisor = \"divisor\"
+busy = \"busy\"
+quotient = \"quotient\"
+[parameters]
+NW = 75
+DW = 52
+ROUNDING = 4
+SERIAL = 1
+";
+
+/// What a proof says of the devices in a file at all widths that the set has of them; `None` where it refuses them.
+fn at_all_widths(home: &Path, devices: &str, block: Block) -> Option<Verdict> {
+    let said = verdict(home, devices, block, None);
+    match said {
+        Some(Verdict::Proved { .. }) if block == Block::Divider => {
+            verdict(home, devices, block, Some(&Map::parse(OF_A_SLOPE).unwrap()))
+        }
+        said => said,
+    }
+}
+
 /// What a proof says of the devices in a file; `None` where it refuses them.
-fn verdict(home: &Path, devices: &str, block: Block) -> Option<Verdict> {
+fn verdict(home: &Path, devices: &str, block: Block, map: Option<&Map>) -> Option<Verdict> {
     let rtl = [home.join("dut.sv")];
     std::fs::write(&rtl[0], devices).unwrap();
     let folder = home.join("proof");
@@ -31,12 +59,15 @@ fn verdict(home: &Path, devices: &str, block: Block) -> Option<Verdict> {
         std::fs::remove_dir_all(&folder).unwrap();
     }
     let profile = profile::load("sgi-4k").unwrap();
-    let limit = Duration::from_secs(20);
-    let question =
-        Question { profile: &profile, block, rtl: &rtl, map: None, folder: &folder, limit };
+    let limit = Duration::from_mins(1);
+    let question = Question { profile: &profile, block, rtl: &rtl, map, folder: &folder, limit };
     match prove(&question) {
         Ok(answer) => Some(answer.verdict),
-        Err(EquivalenceError::Design { .. } | EquivalenceError::Map(_)) => None,
+        Err(
+            EquivalenceError::Design { .. }
+            | EquivalenceError::Map(_)
+            | EquivalenceError::Tool { .. },
+        ) => None,
         Err(error) => panic!("{error}\n{devices}"),
     }
 }
@@ -50,7 +81,7 @@ pub(crate) fn defects(_: &str) {
     let mutants = steppers(&devices);
     assert!(mutants.len() > 30, "{}", mutants.len());
     for (id, module, equivalent, text) in mutants {
-        let verdict = verdict(home.path(), &text, block(&module).unwrap());
+        let verdict = verdict(home.path(), &text, block(&module).unwrap(), None);
         let right = match verdict {
             Some(Verdict::Proved { .. }) => equivalent,
             Some(Verdict::Refuted { .. }) => !equivalent,
@@ -83,7 +114,7 @@ pub(crate) fn sampled(_: &str) {
         if !build(home.path(), &set).0 {
             continue;
         }
-        match verdict(home.path(), &text, block) {
+        match at_all_widths(home.path(), &text, block) {
             Some(Verdict::Proved { .. }) => {
                 proved += 1;
                 // Of a set-up the words are proved, before the division and without its handshake.
