@@ -101,7 +101,7 @@ fn main() {
         solver.trial("a_device_that_holds_its_slopes_is_proved_equal", equivalence::latched_device),
         solver.trial("only_the_solvers_words_prove", equivalence::only_the_solvers_words_prove),
         solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
-        solver.soak_trial("defects_of_steppers_are_refuted", blind::proof::defects),
+        solver.soak_trial("defects_of_units_are_refuted", blind::proof::defects),
         settler().soak_trial("no_proof_of_a_blind_mutant_is_wrong", blind::proof::sampled),
         both(GHDL, YOSYS).trial("vhdl_devices_are_proved_equal", equivalence::vhdl_devices),
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),

@@ -8,6 +8,7 @@ use guardbit::vector::equivalence::{
     Answer, Block, Counterexample, EquivalenceError, Map, Question, Refutation, Signal, Verdict,
     WrongDivision, prove, template,
 };
+use guardbit::vector::write::scene_text;
 use std::collections::HashMap;
 use std::fs::File;
 use std::io::BufReader;
@@ -51,7 +52,8 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
     let Some(block) = arguments.block else {
         return Err(Failure::input("--rtl needs --block"));
     };
-    let profile = profile::load(profile)?;
+    let name = profile;
+    let profile = profile::load(name)?;
     let limit = Duration::from_secs(limit);
     for file in &arguments.rtl {
         // A comment can be in any encoding.
@@ -103,18 +105,19 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
             }
         }
         Verdict::Refuted(Refutation::Triangle(Counterexample { triangle, words })) => {
-            let finer = profile.vertex.to_input(triangle.xy);
-            let vertices = finer.into_iter().zip(triangle.z.unwrap_or_default());
-            let vertices: Vec<String> =
-                vertices.map(|([x, y], z)| format!("[{x},{y},{z}]")).collect();
-            let vertices = vertices.join(",");
-            output.line(format!(
-                "REFUTED in {seconds:.1} s by the triangle {{\"v\": [{vertices}]}}"
-            ))?;
+            let line = scene_text(&[*triangle], &profile.vertex);
+            let scene = arguments.out.join("counterexample.jsonl");
+            let path = scene.display().to_string();
+            std::fs::write(&scene, &line).map_err(|error| Failure::io(&path, &error))?;
+            output
+                .line(format!("REFUTED in {seconds:.1} s by the triangle {}", line.trim_end()))?;
             for word in words {
                 output
                     .line(format!("{:<11} got {:x}, want {:x}", word.name, word.got, word.want))?;
             }
+            output.line(format!(
+                "its words: guardbit trace {name} --scene {path} --test setup/scene/0"
+            ))?;
         }
         Verdict::Refuted(Refutation::Division(WrongDivision { numerator, divisor, got, want })) => {
             output.line(format!(

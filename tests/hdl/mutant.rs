@@ -141,15 +141,15 @@ fn mutants() -> Mutants {
     toml::from_str(&std::fs::read_to_string(source).unwrap()).unwrap()
 }
 
-/// The mutants of the DDA and of the edge stepper: id, module, whether nothing is wrong, and the devices.
-pub(crate) fn steppers(devices: &str) -> Vec<(String, String, bool, String)> {
+/// The mutants of all devices but the engine: id, module, whether nothing is wrong, and the devices.
+pub(crate) fn of_units(devices: &str) -> Vec<(String, String, bool, String)> {
     let all = mutants().mutant.into_iter();
-    let own = all.filter(|mutant| ["dda", "edge_stepper"].contains(&mutant.module.as_str()));
-    own.map(|mutant| {
-        let text = mutate(devices, &mutant);
-        (mutant.id, mutant.module, mutant.equivalent.is_some(), text)
-    })
-    .collect()
+    all.filter(|mutant| mutant.module != "triangle_engine")
+        .map(|mutant| {
+            let text = mutate(devices, &mutant);
+            (mutant.id, mutant.module, mutant.equivalent.is_some(), text)
+        })
+        .collect()
 }
 
 pub(crate) fn caught_and_named(_: &str) {
