@@ -9,7 +9,8 @@ use guardbit::vector::reference::{Language, reference};
 /// Print a profile as a reference in one file, exact in every bit, without any dependency.
 ///
 /// The file has the widths of the profile, functions for the read-out, the DDA, the edge stepper, the set-up,
-/// the box, coverage and depth, and a self test against this model. The same profile gives the same text.
+/// the box, coverage and depth, and a self test against this model. The same profile gives the same text. A
+/// machine of which no reference can be written is refused by name.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.

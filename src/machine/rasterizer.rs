@@ -175,6 +175,12 @@ pub trait Rasterizer: std::fmt::Debug + Send + Sync {
         false
     }
 
+    /// The side of a tile in pixels, of a machine that chooses tiles by tests at their corners before it
+    /// evaluates edge words, by the clause `A-7`.
+    fn tile(&self) -> Option<u32> {
+        None
+    }
+
     /// The walked x, of a machine that walks x down the edges by the clauses `K-1` to `K-5`.
     fn walk(&self) -> Option<&super::EdgeWalkConfig> {
         None

@@ -8,20 +8,119 @@ use guardbit::vector::reference::digests;
 use std::path::Path;
 use std::process::Command;
 
-const BUILT_IN: [&str; 5] = ["sgi-4k", "d3d11", "tiny", "vulkan-8bit", "vulkan-4bit"];
+const BUILT_IN: [&str; 9] = [
+    "sgi-4k",
+    "d3d11",
+    "tiny",
+    "vulkan-8bit",
+    "vulkan-4bit",
+    "vulkan-8bit-4x",
+    "vulkan-4bit-4x",
+    "larrabee",
+    "sgi-4k-walk",
+];
 
-/// Profiles that differ in everything that a reference folds in: the built-in ones, and one for each rounding.
+/// Sets a key of a profile, where it first occurs behind the line `table`.
+fn set_in(text: &mut String, table: &str, key: &str, value: &str) {
+    let table = text.find(table).unwrap();
+    let from = table + text[table..].find(&format!("\n{key} = ")).unwrap() + 1;
+    let end = from + text[from..].find('\n').unwrap();
+    text.replace_range(from..end, &format!("{key} = {value}"));
+}
+
+/// Writes a profile of one's own and reads it.
+fn own(home: &Path, name: &str, mut text: String) -> (String, Profile) {
+    set_in(&mut text, "", "name", &format!("\"{name}\""));
+    let path = home.join(format!("{name}.toml"));
+    std::fs::write(&path, &text).unwrap();
+    let path = path.to_str().unwrap().to_owned();
+    (path.clone(), profile::load(&path).unwrap())
+}
+
+/// Machines with words too narrow for their window, with depth or without, at several samples in a pixel.
+fn shapes(home: &Path) -> Vec<(String, Profile)> {
+    let text = |name: &str| profile::load(name).unwrap().to_toml();
+    let tiny = text("tiny");
+    let depth = tiny[tiny.find("[depth]").unwrap()..].to_owned();
+    // `[depth]` is the last table but for `[multisample]`.
+    let without_depth = |text: &str| {
+        let at = text.find("[depth]").unwrap();
+        let rest = text[at..].find("\n[multisample]").map_or("", |end| &text[at + end..]);
+        format!("{}{rest}", &text[..at])
+    };
+    let changed = |text: &str, changes: &[(&str, &str, &str)]| {
+        let mut text = text.to_owned();
+        for (table, key, value) in changes {
+            set_in(&mut text, table, key, value);
+        }
+        text
+    };
+    let small =
+        [("[window]", "width", "32"), ("[window]", "height", "16"), ("[vertex]", "integer", "6")];
+    let tiles = changed(&text("larrabee"), &small);
+    let tiles_and_depth = changed(
+        &format!("{tiles}\n{depth}"),
+        &[
+            ("[vertex]", "sub-pixel", "5"),
+            ("[form.tiles]", "tile", "4"),
+            ("[form.tiles.edge]", "rule", "\"shadow\""),
+            ("[form.tiles.edge]", "storage", "\"full\""),
+            ("[form.tiles.edge]", "width", "12"),
+            ("[depth]", "clamp", "\"sign\""),
+        ],
+    );
+    let narrow_tiles = changed(
+        &tiles,
+        &[
+            ("[vertex]", "sub-pixel", "3"),
+            ("[form.tiles]", "tile", "2"),
+            ("[form.tiles.edge]", "width", "8"),
+        ],
+    );
+    let walk = text("sgi-4k-walk");
+    let narrow_walk = changed(
+        &walk,
+        &[
+            ("[window]", "width", "64"),
+            ("[form.edge-walk]", "guard", "2"),
+            ("[form.edge-walk]", "integer", "3"),
+            ("[form.edge-walk]", "fraction", "4"),
+            ("[form.edge-walk]", "rounding", "\"away-from-zero\""),
+            ("[depth]", "clamp", "\"wrap\""),
+        ],
+    );
+    let flat_walk = changed(
+        &without_depth(&walk),
+        &[("[form.edge-walk]", "guard", "0"), ("[form.edge-walk]", "rounding", "\"floor\"")],
+    );
+    let several = text("vulkan-4bit-4x");
+    let centre = changed(&several, &[("[multisample]", "depth", "\"centre\"")]);
+    let sixteen = changed(&without_depth(&several), &[("[multisample]", "samples", "16")]);
+    let eight = format!("{tiles}\n{depth}\n[multisample]\nsamples = 8\ndepth = \"centre\"\n");
+    [
+        ("own-flat", without_depth(&tiny)),
+        ("own-tiles", tiles_and_depth),
+        ("own-narrow-tiles", narrow_tiles),
+        ("own-narrow-walk", narrow_walk),
+        ("own-flat-walk", flat_walk),
+        ("own-centre", centre),
+        ("own-sixteen", sixteen),
+        ("own-eight-tiles", eight),
+    ]
+    .into_iter()
+    .map(|(name, text)| own(home, name, text))
+    .collect()
+}
+
+/// Profiles that differ in everything that a reference folds in: the built-in ones, one for each rounding, and
+/// the other shapes.
 fn profiles(home: &Path) -> Vec<(String, Profile)> {
     let mut list: Vec<_> =
         BUILT_IN.map(|name| (name.to_owned(), profile::load(name).unwrap())).into();
+    list.extend(shapes(home));
     for (n, rounding) in Rounding::ALL.into_iter().enumerate() {
         let mut text = profile::load(if n % 2 == 0 { "tiny" } else { "sgi-4k" }).unwrap().to_toml();
-        let mut set = |key: &str, value: &str| {
-            let from = text.find(&format!("\n{key} = ")).unwrap() + 1;
-            let end = from + text[from..].find('\n').unwrap();
-            text.replace_range(from..end, &format!("{key} = {value}"));
-        };
-        set("name", &format!("\"own-{n}\""));
+        let mut set = |key: &str, value: &str| set_in(&mut text, "", key, value);
         set("rounding", &format!("\"{rounding}\""));
         set("clamp", ["\"guard\"", "\"wrap\"", "\"sign\""][n % 3]);
         set("guard", ["1", "2", "3", "4"][n % 4]);
@@ -32,10 +131,7 @@ fn profiles(home: &Path) -> Vec<(String, Profile)> {
             set("width", if n % 2 == 0 { "7" } else { "45" });
         }
         set("start-bias", ["\"none\"", "\"half\""][n / 3 % 2]);
-        let path = home.join(format!("own-{n}.toml"));
-        std::fs::write(&path, &text).unwrap();
-        let path = path.to_str().unwrap().to_owned();
-        list.push((path.clone(), profile::load(&path).unwrap()));
+        list.push(own(home, &format!("own-{n}"), text));
     }
     list
 }
@@ -43,7 +139,7 @@ fn profiles(home: &Path) -> Vec<(String, Profile)> {
 /// Writes the reference of a profile in a language.
 fn export(home: &Path, profile: &str, language: &str, file: &str) {
     let ran = run_in(home, &format!("export {profile} --as {language}")).ends(0);
-    assert!(ran.out.lines().count() < 600 && !ran.out.contains("@P@"), "{}", ran.out);
+    assert!(ran.out.lines().count() < 700 && !ran.out.contains("@P@"), "{}", ran.out);
     std::fs::write(home.join(file), ran.out).unwrap();
 }
 
@@ -59,8 +155,8 @@ fn run(home: &Path, line: &str) -> String {
 
 /// The digests of a profile as the references print them.
 fn model(profile: &Profile, seed: u64, cases: u64) -> String {
-    let lines = digests(profile, seed, cases).unwrap().map(|digest| format!("{digest:016x}\n"));
-    lines.concat()
+    let lines = digests(profile, seed, cases).unwrap();
+    lines.iter().map(|digest| format!("{digest:016x}\n")).collect()
 }
 
 /// The self test of each profile's reference, and other cases of the built-in ones; `build` makes a program of
@@ -78,6 +174,8 @@ fn agree(language: &str, cases: u64, build: impl Fn(&Path, &str) -> [String; 2])
             wrong.push(said);
         }
         if BUILT_IN.contains(&path.as_str()) {
+            // Each pixel of several samples is as many triangles.
+            let cases = if profile.multisample.is_some() { cases / 4 } else { cases };
             let other = other.replace("SEED", "77").replace("CASES", &cases.to_string());
             assert_eq!(run(home.path(), &other), model(&profile, 77, cases), "{id}");
         }
@@ -148,7 +246,12 @@ pub(crate) fn yosys_reads_the_modules(yosys: &str) {
     for name in BUILT_IN {
         export(home.path(), name, "sv", "reference.sv");
         let id = name.replace('-', "_");
-        for module in ["dda", "edge_stepper", "setup", "sample"] {
+        let text = std::fs::read_to_string(home.path().join("reference.sv")).unwrap();
+        let head = format!("\nmodule {id}_reference_");
+        let modules = text.split(&head).skip(1).map(|rest| rest.split(' ').next().unwrap());
+        let modules: Vec<_> = modules.filter(|module| *module != "self_test").collect();
+        assert!(modules.len() >= 4, "{name}: {modules:?}");
+        for module in modules {
             let script = format!(
                 "read_verilog -sv reference.sv\nhierarchy -check -top {id}_reference_{module}\nproc\ncheck -assert\n"
             );

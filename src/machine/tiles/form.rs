@@ -108,6 +108,10 @@ impl Rasterizer for TilesConfig {
         Some(&mut self.edge)
     }
 
+    fn tile(&self) -> Option<u32> {
+        Some(self.tile)
+    }
+
     fn exact_edge_width(&self, state: &RasterState) -> Option<u32> {
         state.exact_edge_width(&self.edge, self.tile.max(1))
     }

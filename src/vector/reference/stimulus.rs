@@ -1,5 +1,8 @@
 //! The random cases of a reference's self test, answered by the model.
 
+mod rich;
+
+use super::shape::Shape;
 use crate::dda::{Op, Walker};
 use crate::format::ReadOut;
 use crate::model::Drawing;
@@ -109,13 +112,18 @@ fn clock(walker: &mut Walker, op: Op, width: u32, random: &mut Random) {
     walker.clock(op);
 }
 
+/// Digests of a profile's units.
+pub(super) fn digests(profile: &Profile, shape: &Shape, seed: u64, cases: u64) -> Vec<u64> {
+    match shape.depth_read() {
+        Some(read) if shape.is_plain() => {
+            plain(profile, [read, shape.step_read()], seed, cases).to_vec()
+        }
+        _ => rich::digests(profile, shape, seed, cases),
+    }
+}
+
 /// Digests of the DDA, the edge stepper, the set-up and the samples.
-pub(super) fn digests(
-    profile: &Profile,
-    [read, edge]: [ReadOut; 2],
-    seed: u64,
-    cases: u64,
-) -> [u64; 4] {
+fn plain(profile: &Profile, [read, edge]: [ReadOut; 2], seed: u64, cases: u64) -> [u64; 4] {
     let (model, set_up) = (ready(profile, true), ready(profile, false));
     let mut given = Stimulus::new(profile, seed);
     let [mut acc, mut word] = [read, edge].map(|read| Walker::new(read, 0, 0, 0));
