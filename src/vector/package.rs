@@ -24,12 +24,17 @@ mod test;
 
 use crate::bits::Rounding;
 use crate::format::{Clamp, Column};
-use crate::machine::RegisterDevice;
+use crate::machine::{RegisterDevice, WiredEngine};
 pub use keyword::identifier;
 use plan::Plan;
 pub use plan::Unchecked;
 use record::Record;
 pub(super) use template::{comment, fill};
+
+/// The module in `hdl` that draws as an engine does.
+pub(super) fn device_name(engine: WiredEngine) -> &'static str {
+    wired::device(engine).0
+}
 
 /// One data file of a set: its name, how many records it holds and what a record is made of.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 
 mod choose;
 mod parts;
+mod register;
 mod shape;
 mod stimulus;
 
@@ -12,6 +13,7 @@ use crate::bits::Rounding;
 use crate::profile::Profile;
 use crate::setup::Triangle;
 use parts::Parts;
+use register::RegisterText;
 use shape::Shape;
 
 /// The language of a reference.
@@ -54,6 +56,9 @@ const CASES: u64 = 1000;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn reference(profile: &Profile, language: Language) -> Result<String, ReferenceError> {
+    if let Some(registers) = registers(profile)? {
+        return registers.text(language).map_err(|reason| refused(profile, reason));
+    }
     let parts = Parts::of(profile, shape(profile)?);
     Ok(match language {
         Language::C | Language::Cpp => parts.c(language == Language::Cpp),
@@ -63,11 +68,15 @@ pub fn reference(profile: &Profile, language: Language) -> Result<String, Refere
 }
 
 /// The digests of random cases, as every exported reference works them out: of the DDA if there is depth, the
-/// edge stepper or the walked x, the set-up and the samples.
+/// edge stepper or the walked x, the set-up and the samples. A machine that begins at registers has one digest, of
+/// its records.
 ///
 /// # Errors
 /// [`ReferenceError`] as [`reference()`] has them.
 pub fn digests(profile: &Profile, seed: u64, cases: u64) -> Result<Vec<u64>, ReferenceError> {
+    if let Some(registers) = registers(profile)? {
+        return Ok(vec![registers.digest(seed, cases)]);
+    }
     Ok(stimulus::digests(profile, &shape(profile)?, seed, cases))
 }
 
@@ -78,6 +87,11 @@ pub(super) fn triangles(profile: &Profile, devices: &Devices, count: u64) -> Vec
 
 fn refused(profile: &Profile, reason: String) -> ReferenceError {
     ReferenceError { profile: profile.name.clone(), reason }
+}
+
+/// What a reference of a profile with registers is written of.
+fn registers(profile: &Profile) -> Result<Option<RegisterText<'_>>, ReferenceError> {
+    RegisterText::of(profile).map_err(|reason| refused(profile, reason))
 }
 
 /// What a reference of a profile is written of.

@@ -8,6 +8,9 @@ use guardbit::vector::reference::digests;
 use std::path::Path;
 use std::process::Command;
 
+/// Profiles of edge functions and depth, one sample a pixel.
+const PLAIN: [&str; 5] = ["sgi-4k", "d3d11", "tiny", "vulkan-8bit", "vulkan-4bit"];
+
 const BUILT_IN: [&str; 9] = [
     "sgi-4k",
     "d3d11",
@@ -19,6 +22,9 @@ const BUILT_IN: [&str; 9] = [
     "larrabee",
     "sgi-4k-walk",
 ];
+
+/// Those that begin at registers: in C, C++ and Python.
+const REGISTERS: [&str; 2] = ["ps1", "ps1-rtl"];
 
 /// Sets a key of a profile, where it first occurs behind the line `table`.
 fn set_in(text: &mut String, table: &str, key: &str, value: &str) {
@@ -112,6 +118,25 @@ fn shapes(home: &Path) -> Vec<(String, Profile)> {
     .collect()
 }
 
+/// Machines that begin at registers, and others of the same engine: roundings, each clamp, an unsigned field.
+fn registers(home: &Path) -> Vec<(String, Profile)> {
+    let mut list: Vec<_> =
+        REGISTERS.map(|name| (name.to_owned(), profile::load(name).unwrap())).into();
+    for (n, rounding) in Rounding::ALL.into_iter().step_by(2).enumerate() {
+        let mut text = profile::load(REGISTERS[n % 2]).unwrap().to_toml();
+        let mut set = |key: &str, value: &str| set_in(&mut text, "", key, value);
+        set("rounding", &format!("\"{rounding}\""));
+        set("clamp", ["\"guard\"", "\"wrap\"", "\"sign\""][n % 3]);
+        set("guard", ["2", "1", "3"][n / 2 % 3]);
+        set("halves", ["\"from-anchor\"", "\"upper-first\""][n / 2 % 2]);
+        if n % 4 == 3 {
+            set("signed", "false");
+        }
+        list.push(own(home, &format!("own-registers-{n}"), text));
+    }
+    list
+}
+
 /// Profiles that differ in everything that a reference folds in: the built-in ones, one for each rounding, and
 /// the other shapes.
 fn profiles(home: &Path) -> Vec<(String, Profile)> {
@@ -164,7 +189,11 @@ fn model(profile: &Profile, seed: u64, cases: u64) -> String {
 fn agree(language: &str, cases: u64, build: impl Fn(&Path, &str) -> [String; 2]) {
     let home = tempfile::tempdir().unwrap();
     let mut wrong = Vec::new();
-    for (path, profile) in profiles(home.path()) {
+    let mut profiles = profiles(home.path());
+    if language != "sv" {
+        profiles.extend(registers(home.path()));
+    }
+    for (path, profile) in profiles {
         let id = profile.name.replace('-', "_");
         let file = format!("{id}.{language}");
         export(home.path(), &path, language, &file);
@@ -173,8 +202,10 @@ fn agree(language: &str, cases: u64, build: impl Fn(&Path, &str) -> [String; 2])
         if said != format!("{}: PASS, 1000 cases\n", profile.name) {
             wrong.push(said);
         }
-        if BUILT_IN.contains(&path.as_str()) {
-            // Each pixel of several samples is as many triangles.
+        if BUILT_IN.contains(&path.as_str()) || REGISTERS.contains(&path.as_str()) {
+            // The model takes its time for what is not one sample of edge functions; several samples in a pixel
+            // are as many triangles.
+            let cases = if PLAIN.contains(&path.as_str()) { cases } else { cases.min(100_000) };
             let cases = if profile.multisample.is_some() { cases / 4 } else { cases };
             let other = other.replace("SEED", "77").replace("CASES", &cases.to_string());
             assert_eq!(run(home.path(), &other), model(&profile, 77, cases), "{id}");

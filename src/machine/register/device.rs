@@ -1,6 +1,7 @@
 //! What devices in hardware are told of an engine, and what they take for granted.
 
 use super::RegisterConfig;
+use crate::bits::Rounding;
 
 /// What a device of given edge functions is told.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,6 +38,8 @@ pub struct WiredDevice {
     pub engine: WiredEngine,
     /// Its parameters.
     pub values: Vec<(&'static str, i128)>,
+    /// How it rounds its slopes, where the profile says so.
+    pub rounding: Option<Rounding>,
     /// The machine, with one and the same value in each field that a parameter sets: two machines with equal
     /// ones have the same device.
     pub wiring: RegisterConfig,
@@ -57,6 +60,6 @@ impl RegisterDevice {
         values: Vec<(&'static str, i128)>,
         wiring: RegisterConfig,
     ) -> Self {
-        Self::Wired(WiredDevice { engine, values, wiring })
+        Self::Wired(WiredDevice { engine, values, rounding: None, wiring })
     }
 }

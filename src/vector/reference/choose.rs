@@ -48,7 +48,18 @@ mod tests {
             "rich",
             "stepped",
         ];
-        for template in [include_str!("c.in"), include_str!("py.in"), include_str!("sv.in")] {
+        let templates = [
+            include_str!("c.in"),
+            include_str!("py.in"),
+            include_str!("sv.in"),
+            include_str!("random.c.in"),
+            include_str!("random.py.in"),
+            include_str!("register.c.in"),
+            include_str!("register.py.in"),
+            include_str!("anchored.c.in"),
+            include_str!("anchored.py.in"),
+        ];
+        for template in templates {
             let mut open = 0;
             for line in template.lines() {
                 if let Some(flag) = line.strip_prefix("@?").or_else(|| line.strip_prefix("@!")) {

@@ -1,5 +1,6 @@
 //! The random cases of a reference's self test, answered by the model.
 
+pub(super) mod register;
 mod rich;
 
 use super::shape::Shape;

@@ -5,7 +5,8 @@ use crate::bits::Rounding;
 use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
-    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredDevice, WiredEngine,
+    Word,
 };
 use crate::setup::VertexConfig;
 use crate::value::Channel;
@@ -51,7 +52,8 @@ impl EngineForm for AnchoredConfig {
             largest: None,
         };
         let wiring = RegisterConfig { engine: same.into(), ..machine.clone() };
-        Some(RegisterDevice::wired(WiredEngine::Anchored, values, wiring))
+        let (engine, rounding) = (WiredEngine::Anchored, Some(self.rounding));
+        Some(RegisterDevice::Wired(WiredDevice { engine, values, rounding, wiring }))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

@@ -1,7 +1,7 @@
 //! The texts in each language.
 
 use super::{Parts, up};
-use crate::format::Clamp;
+use crate::format::{Clamp, ReadOut};
 use crate::vector::package::identifier;
 use crate::vector::reference::package;
 
@@ -55,7 +55,7 @@ impl Parts<'_> {
         });
         let quotients = self.quotients(include_str!("../divide.c.in"), up);
         self.fill(
-            include_str!("../c.in"),
+            &include_str!("../c.in").replace("@RANDOM@\n", include_str!("../random.c.in")),
             &[
                 ("OPEN", &if plus { format!("namespace {id} {{") } else { String::new() }),
                 ("CLOSE", if plus { "}" } else { "" }),
@@ -66,7 +66,7 @@ impl Parts<'_> {
                 ("READ_OUT", read),
                 ("EDGE", &step),
                 ("XWORD", &step),
-                ("WORD", &word(depth.map_or(1, |read| read.width()))),
+                ("WORD", &word(depth.map_or(1, ReadOut::width))),
                 ("EXPECTED", &digests.join(", ")),
                 ("ZEROS", &times(digests.len(), "0")),
                 ("EMPTY", &empty),
@@ -111,7 +111,7 @@ impl Parts<'_> {
         let units: Vec<_> = self.shape.units().iter().map(|unit| format!("\"{unit}\"")).collect();
         let several = self.shape.several;
         self.fill(
-            include_str!("../py.in"),
+            &include_str!("../py.in").replace("@RANDOM@\n", include_str!("../random.py.in")),
             &[
                 ("DIVIDES", &quotients),
                 ("READ_OUT", read),
@@ -192,57 +192,28 @@ impl Parts<'_> {
         let sample = parameters(&[m, ("W", !edges), ("N", depth), ("I", depth)]);
         let pixel = parameters(&[("D", true), m, ("N", depth), ("I", depth), ("SAMPLES", true)]);
         let package = package(self.profile);
-        self.fill(
-            include_str!("../sv.in"),
-            &[
-                ("DIVIDES", &self.quotients(include_str!("../divide.sv.in"), up)),
-                ("READ_OUT", read),
-                ("EXPECTED", &expected.join(" ")),
-                ("COMPLAINTS", &complaints),
-                ("CASES_X", &lines(0)),
-                ("CASES_Y", &lines(1)),
-                ("SX0", if several { "@P@::place_x(0)" } else { "SAMPLE_X" }),
-                ("SY0", if several { "@P@::place_y(0)" } else { "SAMPLE_Y" }),
-                ("SX", if several { "place_x(n)" } else { "SAMPLE_X" }),
-                ("SY", if several { "place_y(n)" } else { "SAMPLE_Y" }),
-                ("NUMBER", if several { ", input int n" } else { "" }),
-                ("PASS", if several { ", SAMPLE" } else { "" }),
-                ("SETUP_PARAMETERS", &set_up),
-                ("SAMPLE_PARAMETERS", &sample),
-                ("PIXEL_PARAMETERS", &pixel),
-                (
-                    "SETUP_CLAUSES",
-                    match (edges, depth) {
-                        (true, true) => "T-3, E, P",
-                        (true, false) => "T-3, E",
-                        (false, true) => "T-3, K, P",
-                        (false, false) => "T-3, K",
-                    },
-                ),
-                (
-                    "AT_CLAUSES",
-                    match (edges, depth) {
-                        (true, true) => "C-5, P-2",
-                        (true, false) => "C-5",
-                        _ => "P-2",
-                    },
-                ),
-                (
-                    "REGISTERS",
-                    match (edges, depth) {
-                        (true, true) => "An accumulator and an edge word",
-                        (true, false) => "An edge word",
-                        _ => "An accumulator",
-                    },
-                ),
-                (
-                    "EVALUATED",
-                    if depth { "An edge function and a depth plane" } else { "An edge function" },
-                ),
-                ("OF_WHAT", if edges { "its box" } else { "the window" }),
-                ("P", &package),
-            ],
-        )
+        let words = spoken(edges, depth);
+        let quotients = self.quotients(include_str!("../divide.sv.in"), up);
+        let (expected, columns, rows) = (expected.join(" "), lines(0), lines(1));
+        let own: &[(&str, &str)] = &[
+            ("DIVIDES", &quotients),
+            ("READ_OUT", read),
+            ("EXPECTED", &expected),
+            ("COMPLAINTS", &complaints),
+            ("CASES_X", &columns),
+            ("CASES_Y", &rows),
+            ("SX0", if several { "@P@::place_x(0)" } else { "SAMPLE_X" }),
+            ("SY0", if several { "@P@::place_y(0)" } else { "SAMPLE_Y" }),
+            ("SX", if several { "place_x(n)" } else { "SAMPLE_X" }),
+            ("SY", if several { "place_y(n)" } else { "SAMPLE_Y" }),
+            ("NUMBER", if several { ", input int n" } else { "" }),
+            ("PASS", if several { ", SAMPLE" } else { "" }),
+            ("SETUP_PARAMETERS", &set_up),
+            ("SAMPLE_PARAMETERS", &sample),
+            ("PIXEL_PARAMETERS", &pixel),
+            ("P", &package),
+        ];
+        self.fill(include_str!("../sv.in"), &[&words, own].concat())
     }
 }
 
@@ -251,4 +222,40 @@ fn bits(units: &[&str]) -> (String, String) {
     let mut list: Vec<_> =
         units.iter().enumerate().map(|(n, unit)| format!("{} {unit}", 1 << n)).collect();
     (list.pop().unwrap_or_default(), list.join(", "))
+}
+
+/// What the SystemVerilog text says in comments, with edge words or without, and with depth or without.
+fn spoken(edges: bool, depth: bool) -> [(&'static str, &'static str); 5] {
+    [
+        (
+            "SETUP_CLAUSES",
+            match (edges, depth) {
+                (true, true) => "T-3, E, P",
+                (true, false) => "T-3, E",
+                (false, true) => "T-3, K, P",
+                (false, false) => "T-3, K",
+            },
+        ),
+        (
+            "AT_CLAUSES",
+            match (edges, depth) {
+                (true, true) => "C-5, P-2",
+                (true, false) => "C-5",
+                _ => "P-2",
+            },
+        ),
+        (
+            "REGISTERS",
+            match (edges, depth) {
+                (true, true) => "An accumulator and an edge word",
+                (true, false) => "An edge word",
+                _ => "An accumulator",
+            },
+        ),
+        (
+            "EVALUATED",
+            if depth { "An edge function and a depth plane" } else { "An edge function" },
+        ),
+        ("OF_WHAT", if edges { "its box" } else { "the window" }),
+    ]
 }

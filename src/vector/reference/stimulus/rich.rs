@@ -12,7 +12,7 @@ use crate::vector::device::{draw, grid, setup_words};
 use crate::vector::reference::shape::{Coverage, Shape};
 
 /// Cases of a profile.
-struct Cases<'a> {
+pub(super) struct Cases<'a> {
     given: Stimulus<'a>,
     /// Bits of depth.
     integer: Option<u32>,
@@ -20,7 +20,28 @@ struct Cases<'a> {
     last: Triangle,
 }
 
-impl Cases<'_> {
+impl<'a> Cases<'a> {
+    /// Cases of triangles with so many bits of depth.
+    pub(super) fn new(given: Stimulus<'a>, integer: Option<u32>) -> Self {
+        let last = Triangle { xy: [[0; 2]; 3], z: integer.map(|_| [0; 3]) };
+        Self { given, integer, last }
+    }
+
+    /// Where numbers come from.
+    pub(super) const fn random(&mut self) -> &mut Random {
+        &mut self.given.random
+    }
+
+    /// Whose cases they are.
+    pub(super) const fn profile(&self) -> &'a Profile {
+        self.given.profile
+    }
+
+    /// The window.
+    pub(super) const fn size(&self) -> [i128; 2] {
+        self.given.size
+    }
+
     /// At or near an end of the range, or anywhere.
     fn end(&mut self) -> i128 {
         let (low, high) = self.given.profile.vertex.range();
@@ -59,7 +80,7 @@ impl Cases<'_> {
         (xy, if kind & 3 == 3 { end } else { drawn })
     }
 
-    fn triangle(&mut self, kind: u64) -> Triangle {
+    pub(super) fn triangle(&mut self, kind: u64) -> Triangle {
         let mut triangle = Triangle { xy: [[0; 2]; 3], z: self.integer.map(|_| [0; 3]) };
         for k in 0..3 {
             let (xy, value) = self.vertex(kind, k, &triangle);
@@ -75,7 +96,7 @@ impl Cases<'_> {
     }
 
     /// A pixel of the window: anywhere, or at the first edge.
-    fn pixel(&mut self, k: usize, triangle: &Triangle) -> [u32; 2] {
+    pub(super) fn pixel(&mut self, k: usize, triangle: &Triangle) -> [u32; 2] {
         let [a, b, _] = triangle.xy;
         let fraction = 6 + self.given.profile.vertex.sub_pixel;
         let random = &mut self.given.random;
@@ -222,11 +243,7 @@ pub(super) fn digests(profile: &Profile, shape: &Shape, seed: u64, cases: u64) -
     let (model, set_up) = (ready(profile, true), ready(profile, false));
     let grid = grid(&model);
     let read = shape.depth_read();
-    let mut given = Cases {
-        given: Stimulus::new(profile, seed),
-        integer: read.map(ReadOut::integer),
-        last: Triangle { xy: [[0; 2]; 3], z: read.map(|_| [0; 3]) },
-    };
+    let mut given = Cases::new(Stimulus::new(profile, seed), read.map(ReadOut::integer));
     let mut acc = read.map(|read| Walker::new(read, 0, 0, 0));
     let mut word = Walker::new(shape.step_read(), 0, 0, 0);
     let mut digests = Digests::new(read.is_some());
@@ -254,7 +271,9 @@ pub(super) fn digests(profile: &Profile, shape: &Shape, seed: u64, cases: u64) -
                 samples.number(y);
             }
             samples.number(mask);
-            depths.into_iter().for_each(|z| samples.number(z));
+            for z in depths {
+                samples.number(z);
+            }
         }
         if matches!(kind, 0 | 3 | 7) {
             continue;
@@ -265,8 +284,12 @@ pub(super) fn digests(profile: &Profile, shape: &Shape, seed: u64, cases: u64) -
         let [_, y0, _, y1] = bounds(&model, shape.samples[0], &triangle);
         if shape.several {
             for (y, x, mask, depths) in list {
-                [x, y, mask].into_iter().for_each(|number| samples.number(number));
-                depths.into_iter().for_each(|z| samples.number(z));
+                for number in [x, y, mask] {
+                    samples.number(number);
+                }
+                for z in depths {
+                    samples.number(z);
+                }
             }
             continue;
         }
@@ -275,7 +298,9 @@ pub(super) fn digests(profile: &Profile, shape: &Shape, seed: u64, cases: u64) -
             samples.number(row.len() as i128);
             for (_, x, _, depths) in row {
                 samples.number(*x);
-                depths.iter().for_each(|z| samples.number(*z));
+                for z in depths {
+                    samples.number(*z);
+                }
             }
         }
     }
