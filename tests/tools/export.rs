@@ -181,7 +181,7 @@ fn run(home: &Path, line: &str) -> String {
 /// The digests of a profile as the references print them.
 fn model(profile: &Profile, seed: u64, cases: u64) -> String {
     let lines = digests(profile, seed, cases).unwrap();
-    lines.iter().map(|digest| format!("{digest:016x}\n")).collect()
+    lines.iter().map(|digest| format!("{digest:016x}\n")).collect::<Vec<_>>().concat()
 }
 
 /// The self test of each profile's reference, and other cases of the built-in ones; `build` makes a program of
