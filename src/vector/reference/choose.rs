@@ -47,6 +47,10 @@ mod tests {
             "at_samples",
             "rich",
             "stepped",
+            "anchored",
+            "first_match",
+            "sorted",
+            "clamped",
         ];
         let templates = [
             include_str!("c.in"),
