@@ -3,6 +3,7 @@
 
 use super::package::{comment, fill};
 use super::reference::{Language, package, reference};
+use super::write::devices;
 use crate::profile::Profile;
 
 /// The folder in a set.
@@ -15,9 +16,11 @@ pub(super) const WIDER_FIRST: &str = include_str!("formal/products.v");
 /// The devices that a solver of bits proves.
 const PROVED: [&str; 4] = ["dda", "edge_stepper", "edge_evaluator", "depth_evaluator"];
 
-/// Names and texts of the files; none where the profile has no reference.
+/// Names and texts of the files; none where the set's devices do not draw the profile.
 pub(super) fn files(set: &str, profile: &Profile) -> Vec<(String, String)> {
-    let Ok(reference) = reference(profile, Language::Sv) else { return Vec::new() };
+    let (Ok(_), Ok(reference)) = (devices(profile), reference(profile, Language::Sv)) else {
+        return Vec::new();
+    };
     let vertex = &profile.vertex;
     let bits = vertex.bits();
     let (set, package, bits) = (comment(set), package(profile), bits.to_string());
