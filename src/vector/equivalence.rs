@@ -3,6 +3,7 @@
 
 mod clauses;
 mod division;
+mod engine;
 mod map;
 mod miter;
 mod netlist;
@@ -232,6 +233,7 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
     let (verdict, mut assumed) = match block {
         Block::SetUp => setup::prove(&asked, &work)?,
         Block::Divider => division::prove(&asked, &work)?,
+        Block::Engine => engine::prove(&asked, &work)?,
         Block::ReadOut
         | Block::Dda
         | Block::EdgeStepper

@@ -58,6 +58,23 @@ impl<'a> Simulation<'a> {
         self
     }
 
+    /// Other contents of registers.
+    pub(super) fn hold(&mut self, bits: impl IntoIterator<Item = (Bit, bool)>) {
+        for (bit, value) in bits {
+            if let Bit::Net(net) = bit {
+                self.held.insert(net, value);
+            }
+        }
+    }
+
+    /// What a register holds.
+    pub(super) fn held(&self, bit: Bit) -> Option<bool> {
+        match bit {
+            Bit::Net(net) => self.held.get(&net).copied(),
+            _ => None,
+        }
+    }
+
     /// A rising edge: registers take what stands before them.
     pub(super) fn clock(&mut self) {
         let mut next = HashMap::new();

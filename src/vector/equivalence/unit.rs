@@ -22,6 +22,8 @@ pub enum Block {
     SetUp,
     /// The divider of the plane, with its rounding: its bits are those of the module.
     Divider,
+    /// The engine: set-up words and a box in, runs, samples and a record of each triangle out.
+    Engine,
 }
 
 /// A signal of a unit.
@@ -65,6 +67,7 @@ impl Block {
             Self::DepthEvaluator => "depth_evaluator",
             Self::SetUp => "triangle_setup",
             Self::Divider => "setup_divider",
+            Self::Engine => "triangle_engine",
         }
     }
 
@@ -76,7 +79,7 @@ impl Block {
     /// The operations, in the order of their codes; the first one loads.
     pub(super) const fn operations(self) -> &'static [&'static str] {
         match self {
-            Self::ReadOut | Self::SetUp | Self::Divider => &[],
+            Self::ReadOut | Self::SetUp | Self::Divider | Self::Engine => &[],
             Self::Dda | Self::EdgeStepper => &["load", "step-x", "step-y", "hold"],
             Self::EdgeEvaluator | Self::DepthEvaluator => &["corner", "sample", "row", "hold"],
         }
@@ -165,6 +168,10 @@ impl Unit {
                 ];
                 (signals.to_vec(), parameters.to_vec())
             }
+            Block::Engine => (
+                engine([m, word, out, coordinate]),
+                [vec![("M", m.into())], of_read_out(read), vec![("C", coordinate.into())]].concat(),
+            ),
         };
         Self { block, signals, parameters }
     }
@@ -200,6 +207,39 @@ fn set_up([vertex, depth, edge]: [u32; 3]) -> Vec<Signal> {
         output("plane_y", "gy", ANY),
         output("plane_start", "gz", ANY),
     ]);
+    list
+}
+
+/// The signals of an engine, of these bits an edge word, a depth word, a depth and a coordinate.
+fn engine([edge, word, depth, coordinate]: [u32; 4]) -> Vec<Signal> {
+    /// A number of a test, or a count.
+    const NUMBER: u32 = 32;
+    let takes = |names: &'static [&'static str], width| {
+        names.iter().map(move |name| input(name, name, width))
+    };
+    let gives = |names: &'static [&'static str], width| {
+        names.iter().map(move |name| output(name, name, width))
+    };
+    let mut list = vec![input("in_valid", "in_valid", 1), output("in_ready", "in_ready", 1)];
+    list.extend(takes(&["test"], NUMBER));
+    list.extend(takes(
+        &["edge0_init", "edge0_dx", "edge0_dy", "edge1_init", "edge1_dx", "edge1_dy"],
+        edge,
+    ));
+    list.extend(takes(&["edge2_init", "edge2_dx", "edge2_dy"], edge));
+    list.extend(takes(&["depth_init", "depth_dx", "depth_dy"], word));
+    list.extend(takes(&["zero_area"], 1));
+    list.extend(takes(&["box_y_begin", "box_y_end", "box_x_begin", "box_x_end"], coordinate));
+    list.extend(takes(&["span_ready", "sample_ready", "triangle_ready"], 1));
+    list.extend(gives(&["span_valid", "sample_valid", "triangle_valid"], 1));
+    list.extend(gives(&["span_test", "sample_test", "triangle_test"], NUMBER));
+    list.extend(gives(
+        &["span_y", "span_x_begin", "span_x_end", "sample_y", "sample_x"],
+        coordinate,
+    ));
+    list.extend(gives(&["sample_depth"], depth));
+    list.extend(gives(&["triangle_spans", "triangle_samples"], NUMBER));
+    list.extend(gives(&["triangle_zero_area"], 1));
     list
 }
 

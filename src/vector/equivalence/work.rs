@@ -139,8 +139,8 @@ impl Work<'_> {
         parameters: &Parameters,
     ) -> Result<(String, Vec<Port>), EquivalenceError> {
         let top = module.map_or_else(|| "-auto-top".to_owned(), |name| format!("-top {name}"));
-        let set = set(parameters);
-        let script = format!("{read}\nhierarchy -check {top}{set}\nproc\nwrite_json ports.json\n");
+        let set = module.map_or_else(String::new, |name| set(name, parameters));
+        let script = format!("{read}\n{set}hierarchy -check {top}\nproc\nwrite_json ports.json\n");
         self.yosys("ports", &script)?;
         netlist::top(&self.read("ports.json")?).map_err(|what| EquivalenceError::Design {
             module: module.unwrap_or("the files").to_owned(),
@@ -178,10 +178,10 @@ impl Work<'_> {
         steps: &'s Steps,
     ) -> Result<Vec<(&'s str, Port)>, EquivalenceError> {
         let mut script = format!(
-            "{}\nchformal -remove\nhierarchy -check -top {}{}\nproc\nflatten\nopt_clean\n",
+            "{}\nchformal -remove\n{}hierarchy -check -top {}\nproc\nflatten\nopt_clean\n",
             device.read,
-            map.module,
-            set(&device.parameters)
+            set(&map.module, &device.parameters),
+            map.module
         );
         for wire in steps.wires.values() {
             script.extend(["expose w:", wire, "\n"]);
@@ -200,9 +200,9 @@ impl Work<'_> {
 
     /// The module as a flat netlist of words, `words.json`, and with plain registers, `clocked.json`.
     pub(super) fn words(&self, device: &Device, module: &str) -> Result<(), EquivalenceError> {
-        let set = set(&device.parameters);
+        let set = set(module, &device.parameters);
         let script = format!(
-            "{}\nchformal -remove\nhierarchy -check -top {module}{set}\nproc\nflatten\ncheck\nopt_expr\nopt_clean\n\
+            "{}\nchformal -remove\n{set}hierarchy -check -top {module}\nproc\nflatten\ncheck\nopt_expr\nopt_clean\n\
              pmuxtree\nmemory\nopt_dff -nosdff\nopt_expr\nopt_merge\nopt_clean\nwrite_json words.json\n\
              async2sync\ndffunmap\nopt_clean\nwrite_json clocked.json\n",
             device.read
@@ -212,7 +212,7 @@ impl Work<'_> {
     }
 
     /// Whether yosys found that two things drive a wire.
-    fn has_one_driver(&self, log: &str, module: &str) -> Result<(), EquivalenceError> {
+    pub(super) fn has_one_driver(&self, log: &str, module: &str) -> Result<(), EquivalenceError> {
         let text = self.read(log)?;
         let Some(line) = text.lines().find(|line| line.contains("conflicting drivers")) else {
             return Ok(());
@@ -248,12 +248,17 @@ impl Work<'_> {
     }
 }
 
-/// How yosys sets parameters of the top module.
-fn set(parameters: &Parameters) -> String {
-    let mut text = String::new();
-    for (name, value) in parameters {
-        text.extend([" -chparam ", name, " ", &value.to_string()]);
+/// How yosys sets parameters of the top module: before it looks for what is below, as `hierarchy -chparam` of
+/// yosys 0.23 stops at a module whose parts have parameters.
+pub(super) fn set(module: &str, parameters: &Parameters) -> String {
+    if parameters.is_empty() {
+        return String::new();
     }
+    let mut text = "chparam".to_owned();
+    for (name, value) in parameters {
+        text.extend([" -set ", name, " ", &value.to_string()]);
+    }
+    text.extend([" ", module, "\n"]);
     text
 }
 

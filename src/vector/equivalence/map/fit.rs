@@ -28,6 +28,9 @@ impl Map {
         } else if self.division.is_some() {
             return Err(self.wrong("[division] belongs to the block divider".to_owned()));
         }
+        if unit.block == Block::Engine {
+            self.streams()?;
+        }
         if self.held && unit.block.operations().is_empty() {
             return Err(self.wrong("held = true: the unit has no operation that loads".to_owned()));
         }
@@ -53,6 +56,8 @@ impl Map {
         let has = |name: &str| self.ports.contains_key(name);
         let outputs = || unit.signals.iter().filter(|signal| signal.output && has(signal.name));
         let in_netlist = unit.block == Block::SetUp;
+        let in_engine = unit.block == Block::Engine;
+        let absent = |stream: &str| !has(&format!("{stream}_valid"));
         let needs_depth = outputs().any(|signal| signal.name.starts_with("plane"));
         let code_bits = self.ports.get("op").and_then(width_of).unwrap_or(2);
         for Signal { name, width, output, .. } in &unit.signals {
@@ -68,6 +73,9 @@ impl Map {
                 }
                 None if *output => {}
                 None if in_netlist && name.ends_with("_z") && !needs_depth => {}
+                // A stream that is not there is never ready, and a number may not be taken along.
+                None if in_engine
+                    && (*name == "test" || name.strip_suffix("_ready").is_some_and(absent)) => {}
                 None => {
                     return Err(self.wrong(format!("[ports] has no {name}: which port takes it?")));
                 }
@@ -77,6 +85,49 @@ impl Map {
             return Err(self.wrong("[ports] has no output: nothing would be compared".to_owned()));
         }
         Ok(code_bits)
+    }
+
+    /// Whether an engine has what its protocol needs.
+    fn streams(&self) -> Result<(), MapError> {
+        let has = |signal: &str| self.ports.contains_key(signal);
+        if self.reset.is_none() {
+            return Err(self.wrong("an engine needs [reset]".to_owned()));
+        }
+        if self.latency > 0 {
+            return Err(self.wrong("an engine has valid and ready: it has no latency".to_owned()));
+        }
+        let lacks = |name: &str| self.wrong(format!("[ports] has no {name}"));
+        for name in ["in_ready", "triangle_valid"] {
+            has(name).then_some(()).ok_or_else(|| lacks(name))?;
+        }
+        for (stream, keys) in [
+            ("span", &["span_y", "span_x_begin", "span_x_end"][..]),
+            ("sample", &["sample_y", "sample_x"]),
+        ] {
+            let valid = format!("{stream}_valid");
+            let prefix = format!("{stream}_");
+            match self.ports.keys().find(|name| name.starts_with(&prefix)) {
+                None => {}
+                Some(name) if !has(&valid) => {
+                    return Err(self.wrong(format!("[ports] has {name} and no {valid}")));
+                }
+                Some(_) => {
+                    for key in keys {
+                        has(key).then_some(()).ok_or_else(|| lacks(key))?;
+                    }
+                }
+            }
+        }
+        if !has("span_valid") && !has("sample_valid") {
+            return Err(self.wrong(
+                "[ports] has neither span_valid nor sample_valid: nothing would be compared"
+                    .to_owned(),
+            ));
+        }
+        if !has("test") && self.ports.keys().any(|name| name.ends_with("_test")) {
+            return Err(lacks("test"));
+        }
+        Ok(())
     }
 
     /// Whether a divider has what its protocol needs.

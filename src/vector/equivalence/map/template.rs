@@ -28,7 +28,7 @@ impl Map {
             None if operations.is_empty() => {}
             None => text += "clock = \"?\"\n",
         }
-        if unit.block != Block::Divider {
+        if !matches!(unit.block, Block::Divider | Block::Engine) {
             text += "latency = 0         # clocks that the outputs come late\n";
         }
         if let Some(load) = operations.first() {
