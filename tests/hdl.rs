@@ -10,6 +10,8 @@ mod blind;
 mod cost;
 #[path = "hdl/division.rs"]
 mod division;
+#[path = "hdl/engine.rs"]
+mod engine;
 #[path = "hdl/equivalence.rs"]
 mod equivalence;
 #[path = "hdl/folder.rs"]
@@ -66,6 +68,11 @@ fn main() {
         ICARUS.soak_trial("defects_of_register_devices_are_seen", register::wired_defects),
         ICARUS.trial("devices_of_built_in_registers_pass", register::wired),
         solver.trial("dividers_are_proved_equal", division::equal),
+        solver.trial("engines_are_proved_equal", engine::equal),
+        solver.trial("engines_that_differ_are_refuted", engine::differences),
+        solver.trial("engines_that_cannot_be_proved_are_refused", engine::refused),
+        solver.soak_trial("the_engine_of_tiny_is_proved_equal", engine::tiny),
+        solver.soak_trial("rare_faults_of_engines_are_not_proved", engine::rare),
         solver.trial("foreign_set_ups_are_proved_equal", words::foreign),
         solver.trial("set_ups_that_differ_are_refuted", words::differences),
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),

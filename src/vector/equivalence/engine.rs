@@ -7,6 +7,7 @@ mod cut;
 mod draw;
 mod expect;
 mod induction;
+mod run;
 mod search;
 
 use super::netlist::{self, Flat};
@@ -16,13 +17,12 @@ use crate::vector::reference::{Language, reference};
 use cut::Start;
 use expect::Texts;
 use induction::{SIDE, SIDES};
+use run::WAVE;
 use search::Worked;
 use std::fmt::Write as _;
 
 /// Pixels of a window whose boxes are all proved.
 const PIXELS: u32 = 16;
-/// The file of waves.
-const WAVE: &str = "counterexample.vcd";
 
 /// Asks whether an engine answers as the profile's does.
 pub(super) fn prove(
@@ -47,6 +47,7 @@ pub(super) fn prove(
     work.write("reference.sv", &reference(profile, Language::Sv)?)?;
     work.write("miter.sv", &texts.search())?;
     work.netlist(&format!("{}\nread_verilog -sv reference.sv", module.read), &map.module)?;
+    work.write("search.il", &work.read("netlist.il")?)?;
     let design = |what: String| asked.design(what);
     let flat = netlist::flat(&work.read("clocked.json")?).map_err(design)?;
     let triangles = match texts.work(&flat).map_err(design)? {
@@ -65,9 +66,13 @@ pub(super) fn prove(
         Ok(start) => start,
         Err(words) => return Ok((undecided(words), assumed)),
     };
-    let verdict = induce(&texts, work, &start)?.unwrap_or_else(|words| {
-        undecided(format!("{words}; {triangles} triangles from a reset on show no difference"))
-    });
+    let verdict = match induce(&texts, work, &start)? {
+        Ok(proved) => proved,
+        Err(said) => {
+            let said = format!("{said}; {triangles} triangles from a reset on show no difference");
+            run::search(work, &said)?
+        }
+    };
     Ok((verdict, assumed))
 }
 
@@ -87,6 +92,17 @@ fn core(asked: &Asked<'_>, work: &Work<'_>) -> Result<Flat, EquivalenceError> {
     work.has_one_driver("registers.log", &map.module)?;
     let text = work.read("registers.json")?;
     let flat = netlist::flat(&text).map_err(|what| asked.design(what))?;
+    // Whatever holds a state and is not cut would have one of its own in each copy.
+    let holds = |kind: &str| {
+        let kind = kind.to_lowercase();
+        kind != "$dff" && ["ff", "latch", "mem", "sr_"].iter().any(|part| kind.contains(part))
+    };
+    if let Some(cell) = flat.cells.values().find(|cell| holds(&cell.kind)) {
+        return Err(asked.design(format!("it has a register ({}) that is not cut here", cell.kind)));
+    }
+    if !flat.is_clocked() {
+        return Err(asked.design("it has no register: an engine needs some".to_owned()));
+    }
     work.write("core.json", &cut::cut(&text, &flat).map_err(|what| asked.design(what))?)?;
     Ok(flat)
 }
@@ -106,12 +122,7 @@ fn induce(
          write_rtlil netlist.il\n",
     )?;
     for (output, other) in [("compared", "bad"), ("bad", "compared")] {
-        let script = format!(
-            "read_rtlil netlist.il\nchformal -remove\ndelete -output w:{other}\nopt_expr\nwreduce\nopt_expr\nopt_merge\n\
-             formalff -clk2ff -ff2anyinit\ntechmap\nopt_clean\nabc -g AND -fast\nopt_clean\n\
-             write_aiger -zinit -map {output}.map {output}.aig\n"
-        );
-        work.yosys(&format!("aiger-{output}"), &script)?;
+        work.yosys(&format!("aiger-{output}"), &run::gates("netlist", output, other))?;
     }
     let boxes = boxes(texts.window);
     // A proof in which nothing is ever compared would be none.

@@ -131,7 +131,9 @@ impl Texts<'_> {
                 Some((_, value)) => i128::from(*value),
                 None if word.name == "zero_area" => i128::from(n % 8 == 7),
                 None if n == 0 => 0,
-                None if n == 1 && word.name.ends_with("_init") => i128::one() << (word.width - 1),
+                None if n == 1 && word.name.ends_with("_init") => {
+                    i128::one() << (word.width - 1).min(126)
+                }
                 None if n == 1 => 0,
                 None => draw.word(word.width),
             };

@@ -15,9 +15,9 @@ impl Draw {
         self.next() % limit
     }
 
-    /// A word of up to 126 bits.
+    /// A word of so many bits, or of 126 if that is less.
     pub(super) fn word(&mut self, bits: u32) -> i128 {
         let word = (0..4).fold(0u128, |word, _| word << 32 | u128::from(self.next()));
-        (word & ((1 << bits) - 1)).cast_signed()
+        (word & ((1 << bits.min(126)) - 1)).cast_signed()
     }
 }

@@ -88,6 +88,9 @@ impl Texts<'_> {
         let (mut triangles, mut records) = (0, 0);
         let [columns, rows] = self.window;
         for run in 0..RUNS {
+            if run == 4 && triangles == 0 {
+                break;
+            }
             let mut wave = Wave::new(self, flat);
             let mut number = run * TRIANGLES;
             let (last, mut clock) = (number + TRIANGLES, 0);
