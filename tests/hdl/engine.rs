@@ -225,7 +225,7 @@ pub(crate) fn refused(_: &str) {
         ("module = ", "latency = 1\nmodule = ", "it has no latency"),
         ("module = ", "held = true\nmodule = ", "no operation that loads"),
         ("in_ready = \"idle\"\n", "", "[ports] has no in_ready"),
-        ("triangle_valid = \"end_valid\"\n", "", "[ports] has triangle"),
+        ("triangle_valid = \"end_valid\"\n", "", "[ports] has no triangle_valid"),
         ("sample_valid = \"dot_valid\"\n", "", "and no sample_valid"),
         ("sample_ready = \"dot_ready\"\n", "", "[ports] has no sample_ready"),
         ("sample_y = \"dot_y\"\n", "", "[ports] has no sample_y"),
