@@ -189,7 +189,10 @@ impl Texts<'_> {
         let top = count - 1;
         let unlike = |pairs: &[(&str, String)]| {
             let mapped = pairs.iter().filter(|(field, _)| self.has(field));
-            mapped.map(|(field, want)| format!(" || got_{field} != {want}")).collect::<String>()
+            mapped.fold(String::new(), |mut text, (field, want)| {
+                let _ = write!(text, " || got_{field} != {want}");
+                text
+            })
         };
         let test = format!("{own}test");
         let sample = unlike(&[

@@ -110,7 +110,7 @@ impl Texts<'_> {
                         }
                         (None, _) => draw.word(word.width),
                     };
-                    inputs.push((self.next(word.name), value));
+                    inputs.push((next(word.name), value));
                 }
                 let ready = match run % 3 {
                     0 => 7,
@@ -126,7 +126,7 @@ impl Texts<'_> {
                     return Ok(Worked::Wrong(wave.text()));
                 }
                 if high("begins")? {
-                    sides = self.sides((number + 1) / 2, &mut draw);
+                    sides = self.sides(number.div_ceil(2), &mut draw);
                 }
                 records += u64::from(high("compared")?);
                 if read(flat, &mut simulation, "takes")? & 4 != 0 && clock != again {
@@ -138,31 +138,31 @@ impl Texts<'_> {
         }
         Ok(Worked::Right { triangles, records })
     }
+}
 
-    /// The input of the miter for a word.
-    fn next(&self, word: &str) -> &'static str {
-        const NAMES: [&str; 18] = [
-            "next_test",
-            "next_zero_area",
-            "next_edge0_init",
-            "next_edge0_dx",
-            "next_edge0_dy",
-            "next_edge1_init",
-            "next_edge1_dx",
-            "next_edge1_dy",
-            "next_edge2_init",
-            "next_edge2_dx",
-            "next_edge2_dy",
-            "next_depth_init",
-            "next_depth_dx",
-            "next_depth_dy",
-            "next_box_y_begin",
-            "next_box_y_end",
-            "next_box_x_begin",
-            "next_box_x_end",
-        ];
-        NAMES.into_iter().find(|name| &name[5..] == word).unwrap_or_default()
-    }
+/// The input of the miter for a word.
+fn next(word: &str) -> &'static str {
+    const NAMES: [&str; 18] = [
+        "next_test",
+        "next_zero_area",
+        "next_edge0_init",
+        "next_edge0_dx",
+        "next_edge0_dy",
+        "next_edge1_init",
+        "next_edge1_dx",
+        "next_edge1_dy",
+        "next_edge2_init",
+        "next_edge2_dx",
+        "next_edge2_dy",
+        "next_depth_init",
+        "next_depth_dx",
+        "next_depth_dy",
+        "next_box_y_begin",
+        "next_box_y_end",
+        "next_box_x_begin",
+        "next_box_x_end",
+    ];
+    NAMES.into_iter().find(|name| &name[5..] == word).unwrap_or_default()
 }
 
 fn read(flat: &Flat, simulation: &mut Simulation<'_>, name: &str) -> Result<u128, String> {
