@@ -1,5 +1,5 @@
 //! `formal/` of a set: the reference, what its devices have to answer as assertions, and scripts of SymbiYosys.
-//! Spec clause `J-12`.
+//! Spec clause `J-13`.
 
 use super::package::{comment, fill};
 use super::reference::{Language, package, reference};

@@ -519,7 +519,7 @@ mod command {
 
 /// A profile without a reference has no folder `formal`, and neither has a set without benches. What stands in such a
 /// folder beside the files of the set is kept.
-// Clause J-12
+// Clause J-13
 #[cfg(feature = "cli")]
 #[test]
 fn assertions_and_scripts_have_a_folder() {

@@ -1,6 +1,6 @@
 //! The folder `formal` of a set: its scripts prove the set's devices, and its assertions see defects in a simulator.
 
-// Clause J-12.
+// Clause J-13.
 use crate::set::{Set, VERILATOR, build_asserted, good, run};
 use std::path::Path;
 

@@ -193,6 +193,10 @@ fn agree(language: &str, cases: u64, build: impl Fn(&Path, &str) -> [String; 2])
     if language != "sv" {
         profiles.extend(registers(home.path()));
     }
+    if language == "cpp" {
+        // The text is that of C, but for its words of scope: each machine once.
+        profiles.retain(|(_, profile)| !profile.name.ends_with(|last: char| last.is_ascii_digit()));
+    }
     for (path, profile) in profiles {
         let id = profile.name.replace('-', "_");
         let file = format!("{id}.{language}");
@@ -205,7 +209,7 @@ fn agree(language: &str, cases: u64, build: impl Fn(&Path, &str) -> [String; 2])
         if BUILT_IN.contains(&path.as_str()) || REGISTERS.contains(&path.as_str()) {
             // The model takes its time for what is not one sample of edge functions; several samples in a pixel
             // are as many triangles.
-            let cases = if PLAIN.contains(&path.as_str()) { cases } else { cases.min(100_000) };
+            let cases = if PLAIN.contains(&path.as_str()) { cases } else { cases.min(30_000) };
             let cases = if profile.multisample.is_some() { cases / 4 } else { cases };
             let other = other.replace("SEED", "77").replace("CASES", &cases.to_string());
             assert_eq!(run(home.path(), &other), model(&profile, 77, cases), "{id}");
@@ -231,7 +235,7 @@ fn compiled(compiler: &str, language: &str, standard: &str, cases: u64) {
 }
 
 pub(crate) fn c_agrees(compiler: &str) {
-    compiled(compiler, "c", "c99", 20_000);
+    compiled(compiler, "c", "c99", 8_000);
 }
 
 pub(crate) fn c_agrees_on_a_million(compiler: &str) {
@@ -239,7 +243,7 @@ pub(crate) fn c_agrees_on_a_million(compiler: &str) {
 }
 
 pub(crate) fn cpp_agrees(compiler: &str) {
-    compiled(compiler, "cpp", "c++17", 20_000);
+    compiled(compiler, "cpp", "c++17", 4_000);
 }
 
 pub(crate) fn python_agrees(python: &str) {

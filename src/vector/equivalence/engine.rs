@@ -14,9 +14,8 @@ use super::netlist::{self, Flat};
 use super::work::{Work, set};
 use super::{Asked, EquivalenceError, MapError, Refutation, Verdict};
 use crate::vector::reference::{Language, reference};
-use cut::Start;
 use expect::Texts;
-use induction::{SIDE, SIDES};
+use induction::{LIMIT, SIDE, SIDES, SIDES_BITS};
 use run::WAVE;
 use search::Worked;
 use std::fmt::Write as _;
@@ -62,11 +61,7 @@ pub(super) fn prove(
         Worked::Right { triangles, .. } => triangles,
     };
     let flat = core(asked, work)?;
-    let start = match texts.start(&flat).map_err(design)? {
-        Ok(start) => start,
-        Err(words) => return Ok((undecided(words), assumed)),
-    };
-    let verdict = match induce(&texts, work, &start)? {
+    let verdict = match induce(&texts, work, &flat)? {
         Ok(proved) => proved,
         Err(said) => {
             let said = format!("{said}; {triangles} triangles from a reset on show no difference");
@@ -111,10 +106,14 @@ fn core(asked: &Asked<'_>, work: &Work<'_>) -> Result<Flat, EquivalenceError> {
 fn induce(
     texts: &Texts<'_>,
     work: &Work<'_>,
-    start: &Start,
+    flat: &Flat,
 ) -> Result<Result<Verdict, String>, EquivalenceError> {
-    let clocks = start.clocks + start.clocks / 2 + 8;
-    work.write("miter.sv", &texts.induction(&start.known, clocks))?;
+    let design = |what: String| texts.asked.design(what);
+    let known = match texts.known(flat).map_err(design)? {
+        Ok(known) => known,
+        Err(words) => return Ok(Err(words)),
+    };
+    work.write("miter.sv", &texts.induction(&known))?;
     work.yosys(
         "induction",
         "read_json core.json\nread_verilog -sv reference.sv\nread_verilog -sv -formal miter.sv\n\
@@ -124,40 +123,54 @@ fn induce(
     for (output, other) in [("compared", "bad"), ("bad", "compared")] {
         work.yosys(&format!("aiger-{output}"), &run::gates("netlist", output, other))?;
     }
-    let boxes = boxes(texts.window);
+    let mut boxes = Vec::new();
+    for sides in all_boxes(texts.window) {
+        let named = SIDES.into_iter().zip(sides.map(u64::from));
+        let mut list = [("", 0); 4];
+        list.iter_mut().zip(named).for_each(|(entry, side)| *entry = side);
+        match texts.clocks(flat, list).map_err(design)? {
+            Ok(clocks) => boxes.push((sides, clocks)),
+            Err(words) => return Ok(Err(words)),
+        }
+    }
     // A proof in which nothing is ever compared would be none.
-    if let Some(sides) = boxes.last() {
-        at_box(texts, work, "compared", *sides)?;
-        let reached = work.abc("box", &format!("bmc3 -F {clocks}"))?;
+    if let Some(last) = boxes.last() {
+        at_box(texts, work, "compared", *last)?;
+        let reached = work.abc("box", &format!("bmc3 -F {}", last.1 + 1))?;
         if !reached.is_some_and(|ran| ran.says("was asserted in frame")) {
             return Ok(Err("no input leads to a clock at which records are compared".to_owned()));
         }
     }
-    for sides in &boxes {
-        at_box(texts, work, "bad", *sides)?;
+    let mut total = 0;
+    for (sides, seen) in &boxes {
         let [top, bottom, left, right] = sides;
         let name = format!("the box of rows {top} to {bottom} and columns {left} to {right}");
-        let frames = clocks + 1;
-        let how = format!("frames -i -F {frames}; orpos; &get; &fraig -x -C 1000; &put; iprove");
-        let ran = work.abc("box", &how)?;
-        match ran {
-            Some(ran) if ran.good() && ran.last().starts_with("UNSATISFIABLE") => {}
-            Some(ran) => {
-                return Ok(Err(format!(
-                    "the induction fails in {name}, yosys-abc: {}",
-                    ran.last()
-                )));
-            }
-            None => {
+        let (mut proved, mut last) = (false, String::new());
+        // Other triangles may take longer than those that were seen.
+        for clocks in [seen + seen / 4 + 1, seen + seen / 2 + 8] {
+            at_box(texts, work, "bad", (*sides, clocks))?;
+            let frames = clocks + 1;
+            let how =
+                format!("frames -i -F {frames}; orpos; &get; &fraig -x -C 1000; &put; iprove");
+            let Some(ran) = work.abc("box", &how)? else {
                 let seconds = work.limit.as_secs();
                 return Ok(Err(format!(
                     "{name}: yosys-abc ran longer than {seconds} s: give more with --limit"
                 )));
+            };
+            last = ran.last();
+            proved = ran.good() && last.starts_with("UNSATISFIABLE");
+            if proved {
+                total += clocks;
+                break;
             }
+        }
+        if !proved {
+            return Ok(Err(format!("the induction fails in {name}, yosys-abc: {last}")));
         }
     }
     let count = boxes.len();
-    let words = format!("{count} of {count} boxes are UNSATISFIABLE, {clocks} clocks each");
+    let words = format!("{count} of {count} boxes are UNSATISFIABLE, {total} clocks in all");
     Ok(Ok(Verdict::Proved {
         engine: "yosys-abc fraig and iprove, by induction over triangles",
         words,
@@ -165,7 +178,7 @@ fn induce(
 }
 
 /// All boxes of a window, top, bottom, left, right: small ones first.
-fn boxes([columns, rows]: [u32; 2]) -> Vec<[u32; 4]> {
+fn all_boxes([columns, rows]: [u32; 2]) -> Vec<[u32; 4]> {
     let pairs =
         |size: u32| (0..=size).flat_map(move |low| (low..=size).map(move |high| [low, high]));
     let mut list: Vec<[u32; 4]> =
@@ -174,18 +187,19 @@ fn boxes([columns, rows]: [u32; 2]) -> Vec<[u32; 4]> {
     list
 }
 
-/// Writes the gates of an output with the box as the first value of its register, in `box.aig`.
+/// Writes the gates of an output with the box and its clocks as the first value of their register, in `box.aig`.
 fn at_box(
     texts: &Texts<'_>,
     work: &Work<'_>,
     output: &str,
-    sides: [u32; 4],
+    (sides, clocks): ([u32; 4], u32),
 ) -> Result<(), EquivalenceError> {
     let odd = || texts.asked.design(format!("{output}.aig of yosys is not as expected"));
     let names = work.read(&format!("{output}.map"))?;
     let path = work.folder.join(format!("{output}.aig"));
     let gates = std::fs::read(&path).map_err(super::io(&path))?;
-    let bits = sides.iter().rev().fold(0u64, |bits, side| bits << SIDE | u64::from(*side));
+    let bits =
+        sides.iter().rev().fold(u64::from(clocks), |bits, side| bits << SIDE | u64::from(*side));
     let end = gates.iter().position(|byte| *byte == b'\n').ok_or_else(odd)?;
     let head = String::from_utf8_lossy(&gates[..end]).into_owned();
     let numbers: Vec<usize> = head.split(' ').skip(1).filter_map(|n| n.parse().ok()).collect();
@@ -213,8 +227,10 @@ fn at_box(
         }
         found |= 1 << bit;
     }
-    // Bits that are not there are those that nobody looks at.
-    if bits & !found != 0 || (output == "bad" && found.count_ones() < SIDE * count(SIDES.len())) {
+    // Bits that are not there are those that nobody looks at: of the clocks, where only records are asked for.
+    let looked_at = if output == "bad" { SIDES_BITS + LIMIT } else { SIDES_BITS };
+    let all = (1 << looked_at) - 1;
+    if bits & all & !found != 0 || (output == "bad" && found != all) {
         return Err(odd());
     }
     let mut text = head.into_bytes();
@@ -226,10 +242,6 @@ fn at_box(
     text.extend(rest);
     let path = work.folder.join("box.aig");
     std::fs::write(&path, text).map_err(super::io(&path))
-}
-
-fn count(many: usize) -> u32 {
-    u32::try_from(many).unwrap_or(u32::MAX)
 }
 
 /// What a proof takes for granted.

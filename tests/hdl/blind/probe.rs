@@ -28,6 +28,9 @@ const PROBE: &str = "module probe;
     .o_edge0_init(e0), .o_edge0_dx(a0), .o_edge0_dy(b0), .o_edge1_init(e1), .o_edge1_dx(a1), .o_edge1_dy(b1),
     .o_edge2_init(e2), .o_edge2_dx(a2), .o_edge2_dy(b2), .o_zero_area(flag));
   initial begin
+    // Without a reset a register holds anything, but no X.
+    device.held = 1'b1;
+    device.going = 1'b1;
     $readmemh(\"given.mem\", given);
     $readmemh(\"edges.mem\", edges);
     $readmemh(\"planes.mem\", planes);

@@ -1,4 +1,4 @@
-// tiny: what its devices have to answer, as assertions. Spec clause J-12.
+// tiny: what its devices have to answer, as assertions. Spec clause J-13.
 //
 // Each module has the ports of a device as inputs, and asserts at the rising edge of the clock. Nothing is asserted
 // before the first reset and while a reset is high. bind.sv puts these modules into the devices. The modules *_proof at

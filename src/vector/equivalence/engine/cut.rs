@@ -49,24 +49,16 @@ pub(super) fn cut(text: &str, flat: &Flat) -> Result<String, String> {
     Ok(netlist.to_string())
 }
 
-/// What is known of an engine where a triangle begins.
-pub(super) struct Start {
-    /// Of each bit of the state.
-    pub(super) known: Vec<Option<bool>>,
-    /// The most clocks that a triangle took, with every ready high.
-    pub(super) clocks: u32,
-}
+/// The sides of a box, by name.
+pub(super) type Sides = [(&'static str, u64); 4];
 
 impl Texts<'_> {
-    /// Bits that are the same after each reset and after each triangle, as far as some show; a proof follows. `Err`:
-    /// a triangle does not end.
-    pub(super) fn start(&self, flat: &Flat) -> Result<Result<Start, String>, String> {
-        let [columns, rows] = self.window;
-        let limit = 64 * columns * rows + 256;
+    /// The bits of the state that are known where a triangle begins: they are the same after each reset and after each
+    /// triangle, as far as some show; a proof follows. `Err`: a triangle does not end.
+    pub(super) fn known(&self, flat: &Flat) -> Result<Result<Vec<Option<bool>>, String>, String> {
         let (held, _) = registers(flat);
         let mut draw = Draw(1);
         let mut known: Option<Vec<Option<bool>>> = None;
-        let mut most = 0;
         let mut simulation = Simulation::new(flat).clocked();
         let mut meets = |simulation: &Simulation<'_>| {
             let now = held.iter().map(|bit| simulation.held(*bit));
@@ -79,53 +71,73 @@ impl Texts<'_> {
         };
         for n in 0..TRIANGLES {
             simulation.hold(held.iter().map(|bit| (*bit, draw.below(2) == 1)));
-            simulation.set(self.given(true, n, None, &mut Draw(n)));
+            let sides = self.sides(n, &mut Draw(1 + n / 2));
+            simulation.set(self.given(sides, n, None));
             simulation.clock();
             meets(&simulation);
-            let words = Draw(1 + n / 2);
-            let (mut taken, mut ended) = (false, false);
-            for clock in 0.. {
-                if clock == limit {
-                    return Ok(Err(format!(
-                        "with every ready high, a triangle does not end within {limit} clocks"
-                    )));
-                }
-                simulation.set(self.given(false, n, Some(!taken), &mut words.clone()));
-                let map = self.asked.map;
-                let mut high = |signal: &str| {
-                    let port = &map.ports[signal];
-                    let bits = flat.ports.get(port).map(|port| port.bits.as_slice());
-                    let number = bits.and_then(|bits| simulation.number(bits));
-                    number.map(|number| !number.is_zero()).ok_or_else(|| {
-                        format!("{port}: a cell before it has no plain reading here")
-                    })
-                };
-                let (ready, last) = (high("in_ready")?, high("triangle_valid")?);
-                if ended && ready {
-                    meets(&simulation);
-                    most = most.max(clock);
-                    break;
-                }
-                taken |= ready;
-                ended |= last && taken;
-                simulation.clock();
+            if let Err(why) = self.end(flat, &mut simulation, sides, n)? {
+                return Ok(Err(why));
+            }
+            meets(&simulation);
+        }
+        Ok(Ok(known.unwrap_or_default()))
+    }
+
+    /// The most clocks that some triangles take in a box, with every ready high. `Err`: one does not end.
+    pub(super) fn clocks(&self, flat: &Flat, sides: Sides) -> Result<Result<u32, String>, String> {
+        let mut simulation = Simulation::new(flat).clocked();
+        let mut most = 0;
+        // Every sample is covered, none is, and some are.
+        for n in 0..4 {
+            simulation.set(self.given(sides, n, None));
+            simulation.clock();
+            match self.end(flat, &mut simulation, sides, n)? {
+                Ok(clocks) => most = most.max(clocks),
+                Err(why) => return Ok(Err(why)),
             }
         }
-        Ok(Ok(Start { known: known.unwrap_or_default(), clocks: most }))
+        Ok(Ok(most))
+    }
+
+    /// Gives a triangle to an engine that has been reset, until it is ready for the next one: after how many clocks.
+    fn end(
+        &self,
+        flat: &Flat,
+        simulation: &mut Simulation<'_>,
+        sides: Sides,
+        n: u64,
+    ) -> Result<Result<u32, String>, String> {
+        let [columns, rows] = self.window;
+        let limit = 64 * columns * rows + 256;
+        let map = self.asked.map;
+        let (mut taken, mut ended) = (false, false);
+        for clock in 0..limit {
+            simulation.set(self.given(sides, n, Some(!taken)));
+            let mut high = |signal: &str| {
+                let port = &map.ports[signal];
+                let bits = flat.ports.get(port).map(|port| port.bits.as_slice());
+                let number = bits.and_then(|bits| simulation.number(bits));
+                number
+                    .map(|number| !number.is_zero())
+                    .ok_or_else(|| format!("{port}: a cell before it has no plain reading here"))
+            };
+            let (ready, last) = (high("in_ready")?, high("triangle_valid")?);
+            if ended && ready {
+                return Ok(Ok(clock));
+            }
+            taken |= ready;
+            ended |= last && taken;
+            simulation.clock();
+        }
+        Ok(Err(format!("with every ready high, a triangle does not end within {limit} clocks")))
     }
 
     /// The inputs of the engine alone: in reset, or with a triangle that is valid or not. The first two triangles
     /// cover all samples and none.
-    fn given(
-        &self,
-        reset: bool,
-        n: u64,
-        valid: Option<bool>,
-        draw: &mut Draw,
-    ) -> Vec<(&str, i128)> {
+    fn given(&self, sides: Sides, n: u64, valid: Option<bool>) -> Vec<(&str, i128)> {
         let map = self.asked.map;
+        let mut draw = Draw(n);
         let mut list: Vec<(&str, i128)> = Vec::new();
-        let sides = self.sides(n, draw);
         for word in self.words() {
             let value = match sides.iter().find(|(side, _)| *side == word.name) {
                 Some((_, value)) => i128::from(*value),
@@ -139,8 +151,10 @@ impl Texts<'_> {
             };
             list.push((map.ports[word.name].as_str(), value));
         }
-        let port =
-            map.reset.iter().map(|port| (port.port.as_str(), i128::from(reset != port.active_low)));
+        let port = map
+            .reset
+            .iter()
+            .map(|port| (port.port.as_str(), i128::from(valid.is_none() != port.active_low)));
         list.extend(port);
         list.extend(map.constants.iter().map(|(port, value)| (port.as_str(), i128::from(*value))));
         list.push((map.ports["in_valid"].as_str(), i128::from(valid == Some(true))));
@@ -150,7 +164,7 @@ impl Texts<'_> {
     }
 
     /// The sides of a box: the whole window first.
-    pub(super) fn sides(&self, n: u64, draw: &mut Draw) -> [(&'static str, u64); 4] {
+    pub(super) fn sides(&self, n: u64, draw: &mut Draw) -> Sides {
         let [columns, rows] = self.window.map(u64::from);
         let mut pair = |size: u64| {
             if n % 4 < 2 {

@@ -6,12 +6,17 @@ use std::fmt::Write as _;
 
 /// Bits of the register that holds the box, for each of its sides.
 pub(super) const SIDE: u32 = 5;
+/// Bits of all sides.
+pub(super) const SIDES_BITS: u32 = 4 * SIDE;
+/// Bits above them for the number of clocks within which a triangle has to end.
+pub(super) const LIMIT: u32 = 16;
 /// The sides of a box, lowest bits first.
 pub(super) const SIDES: [&str; 4] = ["box_y_begin", "box_y_end", "box_x_begin", "box_x_end"];
 
 impl Texts<'_> {
     /// The miter. `known` has the bits of the state that are known where a triangle begins, and their values.
-    pub(super) fn induction(&self, known: &[Option<bool>], clocks: u32) -> String {
+    #[expect(clippy::too_many_lines, reason = "one text, from top to bottom")]
+    pub(super) fn induction(&self, known: &[Option<bool>]) -> String {
         let size = known.len();
         let mut text = String::from(
             "// Written by guardbit prove --rtl. A triangle in a box, with every ready high, from any state that agrees\n\
@@ -37,7 +42,7 @@ impl Texts<'_> {
              reg [{top}:0] held;\n    wire [{top}:0] state = started ? held : (any & ~known | first);\n    \
              reg taken = 1'b0, done = 1'b0, closed = 1'b0;\n    reg [15:0] clock = 16'd0;\n    \
              reg [{0}:0] guardbit_box = 0;\n    always @(posedge clk) guardbit_box <= guardbit_box;\n",
-            4 * SIDE - 1
+            SIDES_BITS + LIMIT - 1
         );
         for word in self.words() {
             let (name, range) = (word.name, range(word.width));
@@ -104,7 +109,7 @@ impl Texts<'_> {
              wire closes = done && got_in_ready;\n    wire early = busy && got_in_ready;\n    \
              wire open = closes && (state & known) != first;\n    \
              wire unreset = !started && (reset_next & known) != first;\n    \
-             wire endless = clock == 16'd{clocks} && !closed;\n    \
+             wire endless = clock == guardbit_box[{2}:{3}] && !closed;\n    \
              assign compared = got_v[0] || got_v[1];\n    \
              assign bad = !closed && (wrong || early || open || (uneven && !closes)) || endless || unreset;\n    \
              always @(posedge clk) begin\n        held <= got_next;\n        clock <= clock + 16'd1;\n        \
@@ -112,6 +117,8 @@ impl Texts<'_> {
              always @* assert (!bad);\nendmodule\n",
             self.differ("got_v", "a_got_", "got_"),
             self.differ("left", "b_got_", "got_"),
+            SIDES_BITS + LIMIT - 1,
+            SIDES_BITS,
         );
         text
     }
