@@ -23,8 +23,11 @@ const BUILT_IN: [&str; 9] = [
     "sgi-4k-walk",
 ];
 
+/// Those of the engine `anchored`.
+const ANCHORED: [&str; 2] = ["ps1", "ps1-rtl"];
+
 /// Those that begin at registers: in C, C++ and Python.
-const REGISTERS: [&str; 2] = ["ps1", "ps1-rtl"];
+const REGISTERS: [&str; 4] = ["ps1", "ps1-rtl", "vortex", "psp"];
 
 /// Sets a key of a profile, where it first occurs behind the line `table`.
 fn set_in(text: &mut String, table: &str, key: &str, value: &str) {
@@ -123,7 +126,7 @@ fn registers(home: &Path) -> Vec<(String, Profile)> {
     let mut list: Vec<_> =
         REGISTERS.map(|name| (name.to_owned(), profile::load(name).unwrap())).into();
     for (n, rounding) in Rounding::ALL.into_iter().step_by(2).enumerate() {
-        let mut text = profile::load(REGISTERS[n % 2]).unwrap().to_toml();
+        let mut text = profile::load(ANCHORED[n % 2]).unwrap().to_toml();
         let mut set = |key: &str, value: &str| set_in(&mut text, "", key, value);
         set("rounding", &format!("\"{rounding}\""));
         set("clamp", ["\"guard\"", "\"wrap\"", "\"sign\""][n % 3]);
@@ -134,7 +137,54 @@ fn registers(home: &Path) -> Vec<(String, Profile)> {
         }
         list.push(own(home, &format!("own-registers-{n}"), text));
     }
+    list.extend(quads(home));
     list
+}
+
+/// The engine `quads` with narrow words, and what neither built-in profile has: vertices with a sign, of which it
+/// makes quads, with a descent or without.
+fn quads(home: &Path) -> Vec<(String, Profile)> {
+    const ENGINE: &str = "[form.registers.engine.quads]";
+    let changed = |name: &str, changes: &[(&str, &str, &str)]| {
+        // As it was written: the engine is one table.
+        let mut text = run_in(home, &format!("profile show {name}")).ends(0).out;
+        for (table, key, value) in changes {
+            set_in(&mut text, table, key, value);
+        }
+        text
+    };
+    let place = |edge: usize| (0..4).map(move |place| format!("\"e{edge}_{place}\""));
+    let values = (0..3).flat_map(place).collect::<Vec<_>>().join(", ");
+    let records =
+        format!("[{{ letter = \"Q\", words = [\"x:16 y:16@16\", \"mask:4\", {values}] }}]");
+    let records = ("[form.registers]", "records", &*records);
+    let narrow = changed(
+        "vortex",
+        &[
+            (ENGINE, "edges", "{ given = { fraction = 8 } }"),
+            (ENGINE, "width", "20"),
+            (ENGINE, "descent", "{ tile = 32, block = 2 }"),
+        ],
+    );
+    let both = changed(
+        "psp",
+        &[("[vertex]", "signed", "true"), (ENGINE, "width", "17"), (ENGINE, "rule", "\"both\"")],
+    );
+    let masks = changed("psp", &[(ENGINE, "emit", "\"quads\""), records]);
+    let of_tiles = "\"quads\"\ndescent = { tile = 16, block = 4 }";
+    let tiles = changed("psp", &[(ENGINE, "width", "26"), (ENGINE, "emit", of_tiles), records]);
+    let of_tiles = "\"pixels\"\ndescent = { tile = 8, block = 2 }";
+    let pixels = changed("psp", &[(ENGINE, "emit", of_tiles)]);
+    [
+        ("own-narrow-quads", narrow),
+        ("own-both-quads", both),
+        ("own-masks", masks),
+        ("own-mask-tiles", tiles),
+        ("own-pixel-tiles", pixels),
+    ]
+    .into_iter()
+    .map(|(name, text)| own(home, name, text))
+    .collect()
 }
 
 /// Profiles that differ in everything that a reference folds in: the built-in ones, one for each rounding, and

@@ -38,6 +38,8 @@ pub struct WiredDevice {
     pub engine: WiredEngine,
     /// Its parameters.
     pub values: Vec<(&'static str, i128)>,
+    /// What it takes for granted, and a text of the engine is told.
+    pub facts: Vec<(&'static str, i128)>,
     /// How it rounds its slopes, where the profile says so.
     pub rounding: Option<Rounding>,
     /// The machine, with one and the same value in each field that a parameter sets: two machines with equal
@@ -60,6 +62,6 @@ impl RegisterDevice {
         values: Vec<(&'static str, i128)>,
         wiring: RegisterConfig,
     ) -> Self {
-        Self::Wired(WiredDevice { engine, values, rounding: None, wiring })
+        Self::Wired(WiredDevice { engine, values, facts: Vec::new(), rounding: None, wiring })
     }
 }

@@ -51,6 +51,12 @@ mod tests {
             "first_match",
             "sorted",
             "clamped",
+            "channels",
+            "quads",
+            "given",
+            "truncated",
+            "descent",
+            "masks",
         ];
         let templates = [
             include_str!("c.in"),
@@ -62,6 +68,8 @@ mod tests {
             include_str!("register.py.in"),
             include_str!("anchored.c.in"),
             include_str!("anchored.py.in"),
+            include_str!("quads.c.in"),
+            include_str!("quads.py.in"),
         ];
         for template in templates {
             let mut open = 0;

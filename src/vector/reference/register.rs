@@ -1,71 +1,77 @@
 //! References of machines that begin at registers: in C, C++ and Python.
 
+mod anchored;
+mod engine;
 mod language;
+mod quads;
 
 use super::choose::choose;
 
 use super::{CASES, Language, stimulus};
 use crate::bits::Rounding;
 use crate::format::{Clamp, Layout};
-use crate::machine::{Record, RegisterDevice, WiredDevice, WiredEngine};
+use crate::machine::{Record, RegisterDevice, WiredEngine};
 use crate::model::{MODEL_VERSION, Model};
 use crate::profile::Profile;
 use crate::value::Channel;
 use crate::vector::bench::ready;
+use crate::vector::device::grid;
 use crate::vector::manifest::sha256;
-use crate::vector::package::{comment, device_name, fill};
+use crate::vector::package::{comment, fill};
+use anchored::Anchored;
+use engine::EngineText;
+use quads::Quads;
 
 /// What a text of registers is written of.
 pub(super) struct RegisterText<'a> {
     profile: &'a Profile,
     model: Model,
-    device: WiredDevice,
-    rounding: Rounding,
+    engine: Box<dyn EngineText>,
+    rounding: Option<Rounding>,
     clamp: Clamp,
     channels: Vec<Channel>,
-}
-
-/// A register of a text: its name in the profile, what it is in C and in Python.
-struct Port {
-    name: String,
-    c: String,
-    python: String,
-    signed: bool,
 }
 
 impl<'a> RegisterText<'a> {
     /// The text of a profile; `None` where it has no registers.
     pub(super) fn of(profile: &'a Profile) -> Result<Option<Self>, String> {
         let model = ready(profile, true);
-        if model.registers().is_none() {
-            return Ok(None);
-        }
+        let Some(registers) = model.registers() else { return Ok(None) };
         let refused = || format!("the machine is {}", profile.form.engine());
-        let device = match profile.form.register_device() {
-            Some(RegisterDevice::Wired(device)) if device.engine == WiredEngine::Anchored => device,
-            _ => return Err(refused()),
-        };
-        let rounding = device.rounding.ok_or_else(refused)?;
         let channels = profile.form.channels().iter().map(crate::value::ChannelConfig::channels);
         let channels: Vec<Channel> =
             channels.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?.concat();
         let clamp = channels.first().map_or(Clamp::Wrap, |channel| channel.read.clamp());
-        if channels.is_empty() || channels.iter().any(|channel| channel.read.clamp() != clamp) {
-            return Err(format!("{}, with no channels or with several clamps", refused()));
-        }
-        Ok(Some(Self { profile, model, device, rounding, clamp, channels }))
+        let signed = profile.vertex.signed;
+        let mut rounding = None;
+        let engine: Box<dyn EngineText> = match profile.form.register_device() {
+            Some(RegisterDevice::Quads(device)) => Box::new(Quads::given(device)),
+            Some(RegisterDevice::Wired(device)) => match device.engine {
+                WiredEngine::VertexQuads => {
+                    let sample = grid(&model).offset;
+                    Box::new(Quads::of_vertices(&device, &registers.input, (signed, sample)))
+                }
+                WiredEngine::Anchored => {
+                    rounding = Some(device.rounding.ok_or_else(refused)?);
+                    if channels.is_empty()
+                        || channels.iter().any(|channel| channel.read.clamp() != clamp)
+                    {
+                        let why = "with no channels or with several clamps";
+                        return Err(format!("{}, {why}", refused()));
+                    }
+                    Box::new(Anchored { device, channels: channels.clone(), signed })
+                }
+                _ => return Err(refused()),
+            },
+            None => return Err(refused()),
+        };
+        Ok(Some(Self { profile, model, engine, rounding, clamp, channels }))
     }
 
     /// The digest of random registers.
     pub(super) fn digest(&self, seed: u64, cases: u64) -> u64 {
-        let largest = ["LARGEST_X", "LARGEST_Y"].map(|name| self.value(name));
-        stimulus::register::digest(
-            self.profile,
-            &self.model,
-            (&self.channels, largest),
-            seed,
-            cases,
-        )
+        let registers = self.engine.registers();
+        stimulus::register::digest(self.profile, &self.model, &*registers, seed, cases)
     }
 
     /// The text in a language, or why there is none.
@@ -77,7 +83,7 @@ impl<'a> RegisterText<'a> {
                 "the machine is {}: there are no SystemVerilog functions of it, but {}.sv in hdl is its engine \
                  in synthesizable SystemVerilog",
                 self.profile.form.engine(),
-                device_name(self.device.engine)
+                self.engine.device()
             )),
         }
     }
@@ -92,56 +98,13 @@ impl<'a> RegisterText<'a> {
         records.unwrap_or_else(|| unreachable!("a valid profile has records"))
     }
 
-    /// A parameter of the device.
-    fn value(&self, name: &str) -> i128 {
-        self.device.values.iter().find(|(known, _)| *known == name).map_or(0, |(_, value)| *value)
-    }
-
-    /// The registers that the engine reads.
-    fn ports(&self) -> Vec<Port> {
-        let mut ports = Vec::new();
-        for n in 0..3 {
-            for (axis, name) in ["x", "y"].into_iter().enumerate() {
-                ports.push(Port {
-                    name: format!("{name}{n}"),
-                    c: format!("r.v[{n}].{name}"),
-                    python: format!("self.v[{n}][{axis}]"),
-                    signed: self.profile.vertex.signed,
-                });
-            }
-        }
-        for (c, channel) in self.channels.iter().enumerate() {
-            ports.extend((0..3).map(|n| Port {
-                name: format!("{}{n}", channel.name),
-                c: format!("r.value[{c}][{n}]"),
-                python: format!("self.value[{c}][{n}]"),
-                signed: false,
-            }));
-        }
-        ports.extend(["left", "top", "right", "bottom"].map(|name| Port {
-            name: name.to_owned(),
-            c: format!("r.{name}"),
-            python: format!("self.{name}"),
-            signed: false,
-        }));
-        ports
-    }
-
-    /// The values of a record, as C and Python have them.
-    fn values(&self) -> Vec<(String, String)> {
-        let channel = |c: usize| (format!("value[{c}]"), format!("value[{c}]"));
-        let pixel = ["x", "y"].map(|name| (format!("(uint64_t){name}"), name.to_owned()));
-        pixel.into_iter().chain((0..self.channels.len()).map(channel)).collect()
-    }
-
     fn fill(&self, template: &str, parts: [&str; 3], own: &[(&str, &str)]) -> String {
         let [engine, random, quotient] = parts;
         let template = template.replace("@ENGINE@\n", engine).replace("@RANDOM@\n", random);
-        let mut flags = vec!["anchored", "rich"];
+        let mut flags = self.engine.flags();
+        flags.push("rich");
         flags.extend((self.clamp != Clamp::Wrap).then_some("clamped"));
-        for (flag, name) in [("first_match", "FIRST_MATCH"), ("sorted", "SORTED")] {
-            flags.extend((self.value(name) != 0).then_some(flag));
-        }
+        flags.extend((!self.channels.is_empty()).then_some("channels"));
         let (low, high) = self.profile.vertex.range();
         let (window, input, record) = (&self.profile.window, self.input(), self.record());
         let names: Vec<&str> = self.channels.iter().map(|channel| &*channel.name).collect();
@@ -151,17 +114,14 @@ impl<'a> RegisterText<'a> {
             &[
                 ("NAME", "divide"),
                 ("CLAUSE", "RG-10"),
-                ("OWN_ROUNDING", &self.rounding.to_string()),
+                (
+                    "OWN_ROUNDING",
+                    &self.rounding.map_or_else(String::new, |rounding| rounding.to_string()),
+                ),
             ],
         );
-        let sort = if self.value("FIRST_MATCH") != 0 {
-            "the first order of a list in which y does not fall"
-        } else {
-            "those of the same y stay as they came"
-        };
         let shared = [
             ("DIVIDES", quotient.trim_end_matches('\n').to_owned()),
-            ("SORT", sort.to_owned()),
             ("SET", comment(&self.profile.name)),
             ("GUARDBIT", env!("CARGO_PKG_VERSION").to_owned()),
             ("VERSION", MODEL_VERSION.to_string()),
@@ -178,8 +138,6 @@ impl<'a> RegisterText<'a> {
             ("S", self.profile.vertex.sub_pixel.to_string()),
             ("LOW", low.to_string()),
             ("HIGH", high.to_string()),
-            ("LARGEST_X", self.value("LARGEST_X").to_string()),
-            ("LARGEST_Y", self.value("LARGEST_Y").to_string()),
             ("CASES", CASES.to_string()),
         ];
         let shared = shared.iter().map(|(key, value)| (*key, value.as_str()));

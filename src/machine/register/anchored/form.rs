@@ -53,7 +53,8 @@ impl EngineForm for AnchoredConfig {
         };
         let wiring = RegisterConfig { engine: same.into(), ..machine.clone() };
         let (engine, rounding) = (WiredEngine::Anchored, Some(self.rounding));
-        Some(RegisterDevice::Wired(WiredDevice { engine, values, rounding, wiring }))
+        let facts = Vec::new();
+        Some(RegisterDevice::Wired(WiredDevice { engine, values, facts, rounding, wiring }))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

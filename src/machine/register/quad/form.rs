@@ -5,8 +5,8 @@ use crate::format::Layout;
 use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
-    EngineConfig, QuadDevice, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine,
-    Word, near,
+    EngineConfig, QuadDevice, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredDevice,
+    WiredEngine, Word, near,
 };
 use crate::setup::VertexConfig;
 use crate::value::Channel;
@@ -41,11 +41,22 @@ impl EngineForm for QuadConfig {
 
     fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
         if self.edges == QuadEdges::Vertices {
-            return Some(RegisterDevice::wired(
-                WiredEngine::VertexQuads,
-                Vec::new(),
-                machine.clone(),
-            ));
+            let (tile, block) =
+                self.descent.map_or((0, 0), |descent| (descent.tile, descent.block));
+            let facts = vec![
+                ("EDGE", self.width.into()),
+                ("TILE", tile.into()),
+                ("BLOCK", block.into()),
+                ("TRUNCATED", (self.rule == QuadRule::TruncatedSide).into()),
+                ("MASKS", (self.emit == Emit::Quads).into()),
+            ];
+            return Some(RegisterDevice::Wired(WiredDevice {
+                engine: WiredEngine::VertexQuads,
+                values: Vec::new(),
+                facts,
+                rounding: None,
+                wiring: machine.clone(),
+            }));
         }
         let input = Layout::parse(&machine.input).ok()?;
         let Descent { tile, block } = self.descent.filter(|_| self.emit == Emit::Quads)?;

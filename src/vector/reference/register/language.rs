@@ -13,7 +13,7 @@ impl RegisterText<'_> {
         let prefix = if plus { String::new() } else { format!("{id}_") };
         let scope = if plus { format!("{id}::") } else { prefix.clone() };
         let (mut reads, mut writes) = (Vec::new(), Vec::new());
-        for port in self.ports() {
+        for port in self.engine.ports() {
             let pieces = pieces(self.input(), &port.name);
             let bits = pieces.iter().map(|piece| piece.from + piece.width).max().unwrap_or(1);
             let term = |p: &Piece| format!("(uint64_t){}", p.taken("u"));
@@ -35,7 +35,7 @@ impl RegisterText<'_> {
             }
         }
         let (reads, writes) = (reads.concat(), writes.concat());
-        let values = self.values();
+        let values = self.engine.values();
         let packs = self.packs(|word, parts| {
             let term =
                 |(n, p): &(usize, Piece)| format!("(uint32_t){}", p.placed(&values[*n].0, "u"));
@@ -55,16 +55,18 @@ impl RegisterText<'_> {
             }
             Clamp::Wrap | Clamp::Saturate => "",
         };
-        let later = if self.value("UPPER_FIRST") != 0 { "0" } else { "anchor > 0" };
+        let engine = self.engine.keys(true);
+        let own = engine.iter().map(|(key, value)| (*key, value.as_str()));
+        let up = self.rounding.map_or_else(String::new, up);
         self.fill(
             include_str!("../register.c.in"),
             [
-                include_str!("../anchored.c.in"),
+                self.engine.templates()[0],
                 include_str!("../random.c.in"),
                 include_str!("../divide.c.in"),
             ],
-            &[
-                ("OWN_UP", &up(self.rounding)),
+            &own.chain([
+                ("OWN_UP", up.as_str()),
                 ("OPEN", &if plus { format!("namespace {id} {{") } else { String::new() }),
                 ("CLOSE", if plus { "}" } else { "" }),
                 ("FN", if plus { "constexpr" } else { "static inline" }),
@@ -74,21 +76,21 @@ impl RegisterText<'_> {
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
-                ("LOWER_FIRST", later),
                 ("V0", "{0, 0}"),
                 ("READ_OUT", read.trim_end()),
                 ("EXPECTED", &format!("0x{:016x}u", self.digest(1, CASES))),
                 ("P", &prefix),
                 ("K", &upper),
                 ("Q", &scope),
-            ],
+            ])
+            .collect::<Vec<_>>(),
         )
     }
 
     pub(super) fn python(&self) -> String {
         let (mut reads, mut writes) = (Vec::new(), Vec::new());
         let mut pair = Vec::new();
-        for port in self.ports() {
+        for port in self.engine.ports() {
             let pieces = pieces(self.input(), &port.name);
             let bits = pieces.iter().map(|piece| piece.from + piece.width).max().unwrap_or(1);
             let term = |p: &Piece| p.taken("");
@@ -115,7 +117,7 @@ impl RegisterText<'_> {
             }
         }
         let (reads, writes) = (reads.concat(), writes.concat());
-        let values = self.values();
+        let values = self.engine.values();
         let packs = self.packs(|_, parts| {
             let term = |(n, p): &(usize, Piece)| p.placed(&values[*n].1, "");
             format!("        {},\n", parts.iter().map(term).collect::<Vec<_>>().join(" | "))
@@ -131,25 +133,27 @@ impl RegisterText<'_> {
             }
             Clamp::Wrap | Clamp::Saturate => "",
         };
-        let later = if self.value("UPPER_FIRST") != 0 { "False" } else { "anchor > 0" };
-        let up = up(self.rounding).replace("||", "or").replace("&&", "and").replace('!', "not ");
+        let engine = self.engine.keys(false);
+        let own = engine.iter().map(|(key, value)| (*key, value.as_str()));
+        let up = self.rounding.map_or_else(String::new, up);
+        let up = up.replace("||", "or").replace("&&", "and").replace('!', "not ");
         self.fill(
             include_str!("../register.py.in"),
             [
-                include_str!("../anchored.py.in"),
+                self.engine.templates()[1],
                 include_str!("../random.py.in"),
                 include_str!("../divide.py.in"),
             ],
-            &[
-                ("OWN_UP", &up),
+            &own.chain([
+                ("OWN_UP", up.as_str()),
                 ("FORMATS", &(self.formats('(', ')') + ",")),
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
-                ("LOWER_FIRST", later),
                 ("READ_OUT", read),
                 ("EXPECTED", &format!("0x{:016X}", self.digest(1, CASES))),
-            ],
+            ])
+            .collect::<Vec<_>>(),
         )
     }
 

@@ -12,7 +12,7 @@ use crate::vector::device::{draw, grid, setup_words};
 use crate::vector::reference::shape::{Coverage, Shape};
 
 /// Cases of a profile.
-pub(super) struct Cases<'a> {
+pub(in crate::vector::reference) struct Cases<'a> {
     given: Stimulus<'a>,
     /// Bits of depth.
     integer: Option<u32>,
