@@ -71,8 +71,6 @@ fn main() {
         solver.trial("engines_are_proved_equal", engine::equal),
         solver.trial("engines_that_differ_are_refuted", engine::differences),
         solver.trial("engines_that_cannot_be_proved_are_refused", engine::refused),
-        solver.soak_trial("the_engine_of_tiny_is_proved_equal", engine::tiny),
-        solver.soak_trial("rare_faults_of_engines_are_not_proved", engine::rare),
         solver.trial("foreign_set_ups_are_proved_equal", words::foreign),
         solver.trial("set_ups_that_differ_are_refuted", words::differences),
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
@@ -103,12 +101,10 @@ fn main() {
         solver.trial("a_foreign_device_is_proved_equal", equivalence::foreign_device),
         solver.trial("shipped_set_ups_are_proved_equal", words::shipped),
         solver.trial("set_ups_that_cannot_be_read_are_refused", words::refused),
-        solver.soak_trial("a_solver_of_bits_agrees_with_polynomials", words::bits_agree),
         solver.trial("dividers_that_differ_are_refuted", division::differences),
         solver.trial("a_device_that_holds_its_slopes_is_proved_equal", equivalence::latched_device),
         solver.trial("only_the_solvers_words_prove", equivalence::only_the_solvers_words_prove),
         solver.trial("a_proof_refuses_nonsense", equivalence::bad_input),
-        solver.soak_trial("defects_of_units_are_refuted", blind::proof::defects),
         settler().soak_trial("no_proof_of_a_blind_mutant_is_wrong", blind::proof::sampled),
         both(GHDL, YOSYS).trial("vhdl_devices_are_proved_equal", equivalence::vhdl_devices),
         YOSYS.trial("devices_cost_what_explore_says", cost::as_explored),
@@ -117,6 +113,15 @@ fn main() {
         settler().soak_trial("the_mutation_recipe_scores_our_devices", recipe::scores_our_devices),
         ICARUS.trial("mutants_are_the_textbooks", blind::textbook::mutants_of_a_small_module),
         settler().soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
+        // Minutes each: for who changes what they try.
+        ICARUS.soak_trial("long_more_defects_of_register_devices", register::other_wired_defects),
+        solver.soak_trial("long_bits_agree_with_polynomials", words::bits_agree),
+        solver.soak_trial("long_defects_of_steppers", blind::proof::defects),
+        solver.soak_trial("long_defects_of_larger_units", blind::proof::defects_of_larger_units),
+        solver.soak_trial("long_engine_of_tiny", engine::tiny),
+        solver.soak_trial("long_engine_of_another_kind", engine::other_kind),
+        solver.soak_trial("long_faults_of_engines", engine::all_differences),
+        solver.soak_trial("long_rare_faults_of_engines", engine::rare),
     ];
     libtest_mimic::run(&Arguments::from_args(), trials).exit();
 }

@@ -21,7 +21,8 @@ fn complaint(dir: &Path) -> Option<(String, Option<u64>)> {
     match checked(dir, CheckOptions::default()) {
         Ok(report) => report.findings.first().map(|finding| {
             assert!(!finding.message.is_empty());
-            (finding.file.file_name().unwrap().to_str().unwrap().to_owned(), finding.line)
+            let file = finding.file.strip_prefix(dir).unwrap_or(&finding.file);
+            (file.to_str().unwrap().to_owned(), finding.line)
         }),
         Err(CheckError::Malformed { path, line, .. }) => Some((name_of(&path), Some(line as u64))),
         Err(CheckError::OtherModel { path, .. }) => Some((name_of(&path), None)),
@@ -80,8 +81,10 @@ fn damages(bytes: &[u8]) -> Vec<(String, Vec<u8>)> {
 fn every_single_change_is_caught_and_its_place_named() {
     let golden = write_set(&profile("tiny"), "triangle", &options(400));
     assert_eq!(complaint(&golden.folder()), None);
-    let files = tree(&golden.folder());
-    assert_eq!(files.len(), 22);
+    let mut files = tree(&golden.folder());
+    assert_eq!(files.len(), 29);
+    // Of the texts in a folder of their own, short ones are enough.
+    files.retain(|(name, _)| !name.starts_with("formal/") || name.ends_with("/dda.sby"));
     let (next, tried) = (AtomicUsize::new(0), AtomicUsize::new(0));
     std::thread::scope(|scope| {
         for _ in 0..2 {
@@ -276,12 +279,12 @@ fn strangers_among_files_and_sets_are_named() {
     let other = write_set(&profile("tiny"), "triangle", &options(51));
     std::fs::rename(out.join("tiny"), home.path().join("old")).unwrap();
     copy(&other.folder(), &out.join("tiny"));
-    assert_eq!(complaint(&out), Some(("manifest.json".to_owned(), None)));
+    assert_eq!(complaint(&out), Some(("tiny/manifest.json".to_owned(), None)));
     // One set's file in the other's place.
     std::fs::remove_dir_all(out.join("tiny")).unwrap();
     std::fs::rename(home.path().join("old"), out.join("tiny")).unwrap();
     std::fs::copy(out.join("tiny/dda.exp.tv"), out.join("d3d11/dda.exp.tv")).unwrap();
-    assert_eq!(complaint(&out), Some(("dda.exp.tv".to_owned(), Some(1))));
+    assert_eq!(complaint(&out), Some(("d3d11/dda.exp.tv".to_owned(), Some(1))));
     // The index itself.
     let text = std::fs::read_to_string(out.join("sets.json")).unwrap();
     let index: SetIndex = serde_json::from_str(&text).unwrap();
