@@ -65,7 +65,6 @@ fn main() {
     let trials = vec![
         // Those that take longest come first: nothing waits for them at the end.
         ICARUS.soak_trial("mutants_are_caught_and_named", mutant::caught_and_named),
-        ICARUS.soak_trial("defects_of_register_devices_are_seen", register::wired_defects),
         ICARUS.trial("devices_of_built_in_registers_pass", register::wired),
         solver.trial("dividers_are_proved_equal", division::equal),
         solver.trial("engines_are_proved_equal", engine::equal),
@@ -76,7 +75,6 @@ fn main() {
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
         ICARUS.trial("icarus_rounds_in_every_way", bench::icarus_rounds),
-        VERILATOR.soak_trial("verilator_runs_a_million_vectors", bench::verilator),
         GHDL.trial("ghdl_runs_walks_and_streams", bench::ghdl),
         GHDL.trial("ghdl_takes_late_outputs", vhdl::late_outputs),
         GHDL.trial("ghdl_takes_answers_in_any_order", vhdl::other_orders),
@@ -114,7 +112,8 @@ fn main() {
         ICARUS.trial("mutants_are_the_textbooks", blind::textbook::mutants_of_a_small_module),
         settler().soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
         // Minutes each: for who changes what they try.
-        ICARUS.soak_trial("long_more_defects_of_register_devices", register::other_wired_defects),
+        ICARUS.soak_trial("long_defects_of_register_devices", register::wired_defects),
+        VERILATOR.soak_trial("long_verilator_runs_a_million_vectors", bench::verilator),
         solver.soak_trial("long_bits_agree_with_polynomials", words::bits_agree),
         solver.soak_trial("long_defects_of_steppers", blind::proof::defects),
         solver.soak_trial("long_defects_of_larger_units", blind::proof::defects_of_larger_units),

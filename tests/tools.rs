@@ -60,7 +60,7 @@ fn main() {
             prover::gappa_reads_the_file_and_refuses_a_spoiled_one,
         ),
         GCC.trial("exported_c_agrees", export::c_agrees),
-        GCC.soak_trial("exported_c_agrees_on_a_million_cases", export::c_agrees_on_a_million),
+        GCC.soak_trial("long_exported_c_agrees_on_a_million_cases", export::c_agrees_on_a_million),
         CPP.trial("exported_cpp_agrees", export::cpp_agrees),
         PYTHON.trial("exported_python_agrees", export::python_agrees),
         tool::ICARUS.trial("exported_systemverilog_agrees", export::systemverilog_agrees),

@@ -254,9 +254,13 @@ fn agree((language, scope): (&str, Scope), cases: u64, build: impl Fn(&Path, &st
     if language != "sv" {
         profiles.extend(registers(home.path()));
     }
-    // Roundings, clamps and shapes: once in C, where it takes least, and in the texts that are others.
+    // C++ has the text of C but for its scopes: roundings and clamps are tried in C, and more shapes in the soak tier.
     if matches!(scope, Scope::BuiltIn) {
-        profiles.retain(|(path, _)| is_built_in(path));
+        let is_rounding =
+            |name: &str| name.strip_prefix("own-").is_some_and(|n| n.parse::<u32>().is_ok());
+        profiles.retain(|(path, profile)| {
+            is_built_in(path) || (language == "c" && is_rounding(&profile.name))
+        });
     }
     for (path, profile) in profiles {
         let is_plain = PLAIN.contains(&path.as_str());
