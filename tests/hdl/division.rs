@@ -96,6 +96,16 @@ pub(crate) fn differences(_: &str) {
         let ran = divides(home, [&text, &map.replace(old, new)]);
         assert!(ran.status == Some(2) && ran.err.contains(says), "{new}: {}{}", ran.out, ran.err);
     }
+    // A register that takes what cannot be read here holds nothing known: that shows no difference.
+    let power = text.replace("r <= next;", "r <= next ** d[0];");
+    assert_ne!(power, text);
+    let ran = divides(home, [&power, &without_lemmas(&map)]);
+    assert!(
+        ran.status == Some(2) && ran.err.contains("no plain reading"),
+        "{}{}",
+        ran.out,
+        ran.err
+    );
     // A module that never ends says nothing.
     let ran = divides(home, [&text.replace("done <= 1'b1", "done <= 1'b0"), &map]);
     assert!(

@@ -11,10 +11,10 @@ pub(super) struct Simulation<'a> {
     flat: &'a Flat,
     /// The cell that drives a net, and the place in its output.
     drivers: HashMap<u64, (&'a Cell, usize)>,
-    /// Values of nets.
-    known: HashMap<u64, bool>,
-    /// What registers hold, by their outputs: none where they are wires.
-    held: HashMap<u64, bool>,
+    /// Values of nets; `None` where a cell before it has no plain reading.
+    known: HashMap<u64, Option<bool>>,
+    /// What registers hold, by their outputs: nothing where they are wires.
+    held: HashMap<u64, Option<bool>>,
 }
 
 /// How deep cells stand behind each other at most.
@@ -52,7 +52,7 @@ impl<'a> Simulation<'a> {
         let registers = self.flat.cells.values().filter(|cell| cell.is_register());
         for bit in registers.flat_map(Cell::output) {
             if let Bit::Net(net) = bit {
-                self.held.insert(*net, false);
+                self.held.insert(*net, Some(false));
             }
         }
         self
@@ -62,7 +62,7 @@ impl<'a> Simulation<'a> {
     pub(super) fn hold(&mut self, bits: impl IntoIterator<Item = (Bit, bool)>) {
         for (bit, value) in bits {
             if let Bit::Net(net) = bit {
-                self.held.insert(net, value);
+                self.held.insert(net, Some(value));
             }
         }
     }
@@ -70,7 +70,7 @@ impl<'a> Simulation<'a> {
     /// What a register holds.
     pub(super) fn held(&self, bit: Bit) -> Option<bool> {
         match bit {
-            Bit::Net(net) => self.held.get(&net).copied(),
+            Bit::Net(net) => self.held.get(&net).copied().flatten(),
             _ => None,
         }
     }
@@ -81,7 +81,7 @@ impl<'a> Simulation<'a> {
         for cell in self.flat.cells.values().filter(|cell| cell.is_register()) {
             for (bit, d) in cell.output().iter().zip(&cell.wires["D"]) {
                 if let Bit::Net(net) = bit {
-                    next.insert(*net, self.bit(*d, DEPTH).unwrap_or_default());
+                    next.insert(*net, self.bit(*d, DEPTH));
                 }
             }
         }
@@ -92,7 +92,7 @@ impl<'a> Simulation<'a> {
         let Some(port) = self.flat.ports.get(name) else { return };
         for (place, bit) in port.bits.iter().enumerate() {
             if let Bit::Net(net) = bit {
-                self.known.insert(*net, value >> place.min(127) & 1 == 1);
+                self.known.insert(*net, Some(value >> place.min(127) & 1 == 1));
             }
         }
     }
@@ -120,16 +120,16 @@ impl<'a> Simulation<'a> {
             Bit::Net(net) => net,
         };
         if let Some(value) = self.known.get(&net) {
-            return Some(*value);
+            return *value;
         }
         let (cell, _) = *self.drivers.get(&net)?;
         let answer = self.cell(cell, depth.checked_sub(1)?)?;
         for (place, bit) in cell.output().iter().enumerate() {
             if let Bit::Net(net) = bit {
-                self.known.insert(*net, answer.bit(place as u64));
+                self.known.insert(*net, Some(answer.bit(place as u64)));
             }
         }
-        self.known.get(&net).copied()
+        self.known.get(&net).copied().flatten()
     }
 
     /// A port, in two's complement if it is signed.
@@ -180,6 +180,10 @@ impl<'a> Simulation<'a> {
                 "$logic_not" => truth(a.is_zero()),
                 "$reduce_or" | "$reduce_bool" => truth(!a.is_zero()),
                 "$reduce_and" => truth(self.at(&cell.wires["A"], depth)? == full(cell)),
+                "$reduce_xor" | "$reduce_xnor" => {
+                    let ones = self.at(&cell.wires["A"], depth)?.magnitude().count_ones();
+                    truth(ones.is_multiple_of(2) == (kind == "$reduce_xnor"))
+                }
                 _ => return None,
             });
         }
