@@ -131,7 +131,9 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
     for assumed in &answer.assumed {
         output.line(format!("assumed: {assumed}"))?;
     }
-    output.line(format!("texts, scripts and the tools' own words: {folder}"))?;
+    output.line(format!(
+        "texts, scripts and the tools' own words: {folder}, with their digests in texts.sha256"
+    ))?;
     output.flush()?;
     Ok(if matches!(answer.verdict, Verdict::Proved { .. }) {
         Outcome::Good

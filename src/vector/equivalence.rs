@@ -240,6 +240,7 @@ pub fn prove(question: &Question<'_>) -> Result<Answer, EquivalenceError> {
         | Block::EdgeEvaluator
         | Block::DepthEvaluator => stepper::prove(&asked, &work)?,
     };
+    work.digests(rtl)?;
     if !map.parameters.is_empty() {
         let list = map.parameters.iter().map(|(name, value)| format!("{name} = {value}"));
         assumed

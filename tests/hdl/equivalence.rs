@@ -2,6 +2,7 @@
 
 // Clause J-9.
 use crate::run::{Ran, run_in};
+use sha2::{Digest as _, Sha256};
 use std::path::Path;
 
 const HDL: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/hdl");
@@ -150,6 +151,18 @@ pub(crate) fn foreign_device(_: &str) {
     let ask_map = "sgi-4k --rtl walker.sv --block dda --map map.toml";
     write("map.toml", MAP);
     proves(home, ask_map);
+    // Each text has its digest beside it, the module's own file, too.
+    let folder = home.join("guardbit-proof");
+    let list = std::fs::read_to_string(folder.join("texts.sha256")).unwrap();
+    for line in list.lines() {
+        let (digest, name) = line.split_once("  ").unwrap();
+        let found = Sha256::digest(std::fs::read(folder.join(name)).unwrap());
+        let found = found.iter().fold(String::new(), |text, byte| format!("{text}{byte:02x}"));
+        assert_eq!(digest, found, "{name}");
+    }
+    for name in ["/walker.sv", "  reference.sv", "  miter.sv", "  bad.log"] {
+        assert!(list.lines().any(|line| line.ends_with(name)), "{name}: {list}");
+    }
     // Without a reset, and with a state that begins anywhere.
     write(
         "free.sv",

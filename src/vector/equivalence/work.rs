@@ -5,6 +5,7 @@ use super::netlist::{self, Port};
 use super::tool::{self, Ran};
 use super::{EquivalenceError, Map, io};
 use crate::vector::formal::WIDER_FIRST;
+use crate::vector::manifest::sha256;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -26,6 +27,9 @@ pub(super) struct Device {
     pub(super) ports: Vec<Port>,
 }
 
+/// Digests of the texts of a question.
+const DIGESTS: &str = "texts.sha256";
+
 impl Work<'_> {
     pub(super) fn write(&self, name: &str, text: &str) -> Result<(), EquivalenceError> {
         let path = self.folder.join(name);
@@ -35,6 +39,23 @@ impl Work<'_> {
     pub(super) fn read(&self, name: &str) -> Result<String, EquivalenceError> {
         let path = self.folder.join(name);
         std::fs::read_to_string(&path).map_err(io(&path))
+    }
+
+    /// The SHA-256 of each text of the question, as `sha256sum` has it: of the module's files, and of all in the folder.
+    pub(super) fn digests(&self, rtl: &[PathBuf]) -> Result<(), EquivalenceError> {
+        let entries = std::fs::read_dir(self.folder).map_err(io(self.folder))?;
+        let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+        files.sort();
+        let mut text = String::new();
+        for file in rtl.iter().chain(&files) {
+            let bytes = std::fs::read(file).map_err(io(file))?;
+            let name = match file.strip_prefix(self.folder) {
+                Ok(inner) => inner.to_owned(),
+                Err(_) => file.canonicalize().map_err(io(file))?,
+            };
+            text.extend([&sha256(&bytes), "  ", &name.display().to_string(), "\n"]);
+        }
+        self.write(DIGESTS, &text)
     }
 
     /// Runs a tool; what it prints stays in a file. `None` after the limit.
