@@ -117,6 +117,7 @@ mod spec {
         Lines "14-lines.md", Polygons "15-polygons.md", Depth "16-depth.md",
         Interpolation "17-interpolation.md",
         Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md",
-        Hardware "21-hardware.md", Registers "22-registers.md", Describe "23-describe.md"
+        Hardware "21-hardware.md", Registers "22-registers.md", Describe "23-describe.md",
+        Channels "24-channels.md"
     );
 }

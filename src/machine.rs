@@ -2,6 +2,8 @@
 
 mod barycentric;
 mod bound;
+mod carry;
+mod channels;
 mod cost;
 mod edge_function;
 mod edge_walk;
@@ -26,6 +28,8 @@ mod word;
 
 pub use barycentric::{Barycentric, BarycentricConfig, BarycentricError};
 pub use bound::{plane_bound, rounding_error};
+pub use carry::{Carried, CarriedWords, Carrier, LinearValue};
+pub use channels::{ChannelPort, Channels};
 pub use cost::{Count, Datapath, Dda, Operations, Unit, corners, signed_bits};
 pub use edge_function::{EdgeFunction, EdgeFunctionConfig};
 pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};
@@ -38,7 +42,7 @@ pub use multisampled::Multisampled;
 pub use own::{AddError, Own, OwnForm, add};
 pub use painter::{Painter, drawable};
 pub use port::{Ports, SetupError};
-pub use rasterizer::{Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
+pub use rasterizer::{Carries, Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Descent, Emit, EngineConfig, HalfOrder,
     Largest, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig,
@@ -57,6 +61,7 @@ use crate::bits::SpanEvents;
 use crate::cover::{Rect, SampleGrid, Segment};
 use crate::format::Unreduced;
 use crate::setup::{ClipTriangle, Polygon, Snapped, Triangle, VertexField};
+use crate::value::VertexValues;
 
 // The one list of machines, in the order that reports and tables have.
 list::machines! {
@@ -86,6 +91,8 @@ list::machines! {
 pub enum Input<'a> {
     /// A triangle on the profile's sub-pixel grid.
     Triangle(&'a Snapped<Triangle>),
+    /// The same with the values of its vertices for the channels of the profile.
+    Shaded(&'a Snapped<Triangle>, &'a VertexValues),
     /// A triangle that is neither projected nor clipped.
     Clip(&'a ClipTriangle),
     /// A polygon of three or more vertices, convex or not.
@@ -102,7 +109,7 @@ impl Input<'_> {
     /// The form of the primitive, for a message.
     pub const fn name(&self) -> &'static str {
         match self {
-            Self::Triangle(_) => "triangles",
+            Self::Triangle(_) | Self::Shaded(..) => "triangles",
             Self::Clip(_) => "homogeneous vertices",
             Self::Polygon(_) => "polygons",
             Self::Line(_) => "lines",
@@ -116,7 +123,7 @@ impl Input<'_> {
     #[inline]
     pub(crate) const fn field(&self) -> Option<&VertexField> {
         match self {
-            Self::Triangle(shape) => Some(shape.field()),
+            Self::Triangle(shape) | Self::Shaded(shape, _) => Some(shape.field()),
             Self::Polygon(shape) => Some(shape.field()),
             Self::Line(shape) => Some(shape.field()),
             Self::Point(shape) => Some(shape.field()),
@@ -130,7 +137,7 @@ impl Input<'_> {
     /// [`DrawError::Primitive`] for any other primitive.
     pub fn triangle(&self) -> Result<&Snapped<Triangle>, DrawError> {
         match self {
-            Self::Triangle(triangle) => Ok(triangle),
+            Self::Triangle(triangle) | Self::Shaded(triangle, _) => Ok(triangle),
             other => Err(DrawError::Primitive(other.name())),
         }
     }
@@ -236,6 +243,10 @@ pub trait Sink {
     /// with one covered, and `depth` has a value a pixel or a covered sample: [`Ports::by_sample`].
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]);
 
+    /// A channel's values of the run just given, from column `x0`: at each place the components in their
+    /// order. There is a place a pixel, or one a covered sample: [`ChannelPort::by_sample`].
+    fn channel(&mut self, _channel: usize, _y: u32, _x0: u32, _values: &[i64]) {}
+
     /// The coverage masks of the run just given, where pixels have several samples.
     fn masks(&mut self, _y: u32, _x0: u32, _masks: &[u32]) {}
 
@@ -318,6 +329,11 @@ pub trait Machine: Send + Sync + std::fmt::Debug {
     /// The words that a host would write for a triangle; none on a machine that takes triangles.
     fn host(&self, _triangle: &Triangle) -> Vec<Vec<u32>> {
         Vec::new()
+    }
+
+    /// How it carries a value that is linear in the window, where it carries channels.
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        None
     }
 
     /// Draws one primitive.

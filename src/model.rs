@@ -4,6 +4,7 @@
 mod fill;
 mod primitive;
 mod record;
+mod shading;
 mod walk;
 
 pub use fill::Raster;
@@ -14,12 +15,12 @@ pub use walk::Walk;
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
 use crate::machine::{
-    DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
+    Channels, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
 };
 use crate::profile::{InvalidProfile, Profile};
 use crate::scene;
 use crate::setup::{Triangle, VertexField};
-use crate::value::Depth;
+use crate::value::{Depth, ValueError, VertexValues};
 
 /// The version of the model. Any change of an output bit raises it, and the CHANGELOG names the change.
 pub const MODEL_VERSION: u32 = 2;
@@ -35,6 +36,8 @@ pub struct Model {
     depth: Option<Depth>,
     grid: SampleGrid,
     quick: Option<fill::Quick>,
+    /// The channels, and the ports of the machine with theirs.
+    channels: Option<(Channels, Ports)>,
 }
 
 /// Settings of a caller in addition to the profile. No setting changes the bits of a sample.
@@ -87,8 +90,10 @@ impl Model {
         let (line, point) = (profile.line.unwrap_or_default(), profile.point.unwrap_or_default());
         let lines = Lines::new(line, point, &vertex, target);
         let quick = fill::Quick::new(&profile, depth);
+        let channels = channels(&profile, &*machine, target.grid)?;
         let field = VertexField::new(&vertex, profile.depth_max())?;
-        Ok(Self { profile, field, clip, machine, lines, depth, grid: target.grid, quick })
+        let grid = target.grid;
+        Ok(Self { profile, field, clip, machine, lines, depth, grid, quick, channels })
     }
 
     /// The profile, with the window in force.
@@ -103,7 +108,25 @@ impl Model {
 
     /// The machine's words.
     pub fn ports(&self) -> &Ports {
-        self.machine.ports()
+        self.channels.as_ref().map_or_else(|| self.machine.ports(), |(_, ports)| ports)
+    }
+
+    /// The channels of the profile; none where it has none.
+    pub fn channels(&self) -> Option<&Channels> {
+        self.channels.as_ref().map(|(channels, _)| channels)
+    }
+
+    /// Values of vertices for the channels of the profile, checked: by name of the channel, three vertices for
+    /// each component, in codes; and codes of 1/w.
+    ///
+    /// # Errors
+    /// [`ValueError`] names the channel, the vertex and the inequality.
+    pub fn values(
+        &self,
+        given: &[(String, Vec<[i128; 3]>)],
+        inverse_w: Option<[i128; 3]>,
+    ) -> Result<VertexValues, ValueError> {
+        VertexValues::check(&self.profile.channel, self.profile.w.as_ref(), given, inverse_w)
     }
 
     /// The depth evaluator, if the profile has depth.
@@ -138,8 +161,14 @@ impl Model {
     ) -> Result<(), DrawError> {
         let input = primitive.into();
         self.check(input.field())?;
-        match input {
-            Input::Line(_) | Input::Point(_) => self.lines.draw(&input, out),
+        match (input, &self.channels) {
+            (Input::Triangle(triangle), Some((channels, _))) => {
+                channels.draw(&*self.machine, triangle, None, out)
+            }
+            (Input::Shaded(triangle, values), Some((channels, _))) => {
+                channels.draw(&*self.machine, triangle, Some(values), out)
+            }
+            (Input::Line(_) | Input::Point(_), _) => self.lines.draw(&input, out),
             _ => self.machine.draw(&input, out),
         }
     }
@@ -185,6 +214,25 @@ impl Model {
     pub fn host(&self, triangle: &Triangle) -> Vec<Vec<u32>> {
         self.machine.host(triangle)
     }
+}
+
+/// The channels of a valid profile on its machine.
+fn channels(
+    profile: &Profile,
+    machine: &dyn Machine,
+    grid: SampleGrid,
+) -> Result<Option<(Channels, Ports)>, InvalidProfile> {
+    if profile.channel.is_empty() {
+        return Ok(None);
+    }
+    let carrier = machine.carrier().ok_or(InvalidProfile::NoChannels(profile.form.name()))?;
+    let (w, vertex) = (profile.w.as_ref(), &profile.vertex);
+    let channels = Channels::new(&profile.channel, w, vertex, grid, profile.multisample)
+        .map_err(|error| InvalidProfile::Channel(Box::new(error)))?;
+    let mut ports = machine.ports().clone();
+    ports.setup.extend(channels.columns(carrier));
+    ports.channels = channels.ports().to_vec();
+    Ok(Some((channels, ports)))
 }
 
 /// The machine of a valid profile.

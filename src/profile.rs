@@ -16,8 +16,12 @@ use crate::cover::{
     RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
+use crate::machine::Carries;
 use crate::setup::{VertexConfig, VertexError};
-use crate::value::{DepthConfig, DepthError};
+use crate::value::{
+    AttributeConfig, AttributeError, DepthConfig, DepthError, EvaluatedAt, InverseWConfig,
+    validate_channels,
+};
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -61,6 +65,12 @@ pub struct Profile {
     /// The depth plane; no depth when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<DepthConfig>,
+    /// The words of 1/w, for channels that are corrected for perspective.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub w: Option<InverseWConfig>,
+    /// What triangles carry beside depth; nothing when absent.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub channel: Vec<AttributeConfig>,
 }
 
 /// Window size in pixels.
@@ -126,6 +136,28 @@ pub enum InvalidProfile {
     /// The depth plane.
     #[error(transparent)]
     Depth(#[from] DepthError),
+    /// A channel, or the plane of 1/w.
+    #[error(transparent)]
+    Channel(#[from] Box<AttributeError>),
+    /// 1/w of its own fault.
+    #[error(transparent)]
+    W(Box<AttributeError>),
+    /// A machine that carries no channels.
+    #[error(
+        "the machine {0} has no means for [[channel]]; choose another machine, or leave the channels out"
+    )]
+    NoChannels(&'static str),
+    /// A place that the machine does not evaluate.
+    #[error(
+        "channel {channel:?}: the machine {machine} evaluates channels at its own sample only: leave `at` and \
+         [multisample] out, or choose another machine"
+    )]
+    ChannelAt {
+        /// The channel.
+        channel: String,
+        /// The machine.
+        machine: &'static str,
+    },
 }
 
 impl InvalidProfile {
@@ -148,6 +180,8 @@ impl InvalidProfile {
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
             Self::Depth(DepthError::Growth { .. }) => &["depth", "interpolation"],
             Self::Depth(DepthError::Format(_)) => &["depth", "format"],
+            Self::W(_) => &["w"],
+            Self::Channel(_) | Self::NoChannels(_) | Self::ChannelAt { .. } => &["channel"],
         }
     }
 }
@@ -186,8 +220,40 @@ impl Profile {
                 return Err(InvalidProfile::MultisampleDepth(self.form.name()));
             }
         }
+        self.check_channels()?;
         if self.traversal.is_some() && !self.form.visits_the_box() {
             return Err(InvalidProfile::Traversal(self.form.name()));
+        }
+        Ok(())
+    }
+
+    /// Checks the channels, and that the machine carries them.
+    fn check_channels(&self) -> Result<(), InvalidProfile> {
+        validate_channels(&self.channel, self.w.as_ref(), &self.vertex).map_err(
+            |(channel, error)| match channel {
+                None if self.w.is_some() => InvalidProfile::W(Box::new(error)),
+                _ => InvalidProfile::Channel(Box::new(error)),
+            },
+        )?;
+        let machine = self.form.name();
+        for channel in &self.channel {
+            match self.form.carries() {
+                Carries::Nothing => return Err(InvalidProfile::NoChannels(machine)),
+                Carries::AtItsSample
+                    if channel.at != EvaluatedAt::Sample || self.multisample.is_some() =>
+                {
+                    return Err(InvalidProfile::ChannelAt {
+                        channel: channel.name.clone(),
+                        machine,
+                    });
+                }
+                _ => {}
+            }
+            let read = channel.validate(&self.vertex, self.w.as_ref());
+            let read = read.map_err(|error| InvalidProfile::Channel(Box::new(error)))?;
+            let over = self.w.filter(|_| channel.correction.walks_w());
+            let scale = over.map_or(0, |w| w.integer);
+            self.form.check_carried(&self.state(), &channel.name, read, scale)?;
         }
         Ok(())
     }

@@ -16,6 +16,7 @@ mod lens;
 pub mod lines;
 pub mod mesh;
 mod primitive;
+mod shading;
 mod sine;
 
 use std::path::Path;
@@ -26,6 +27,7 @@ pub use lens::Lens;
 use lines::LineError;
 use mesh::MeshError;
 pub use primitive::Primitive;
+pub use shading::Shading;
 
 /// Where a scene lands.
 ///

@@ -21,9 +21,13 @@ const LONGEST: u64 = 1 << 24;
 /// NaN and infinities.
 /// "line": [[x,y],[x,y]] and "point": [x,y] follow the rules of the profile.
 /// "polygon": [[x,y],...] and "clip": [[X,Y,Z,W],...] need a machine that draws them.
+/// On a profile with channels, "channels": {"color": [[r,g,b],[r,g,b],[r,g,b]], ...} gives their values, and
+/// "q": [...] beside "v" (codes of 1/w) or "w": [...] beside "f" (distances from the eye) what perspective
+/// needs.
 /// "words": ["...", ...] are the registers of a register-level machine, in the radix of the profile.
 ///
 /// Output: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}.
+/// With channels, "channels": {"color": [[r,g,b], ...], ...} has their values in the order of "z".
 /// If the profile has several samples in each pixel, "masks" has one mask for each pixel.
 /// For "words", the output is {"id": 7, "out": [["P", ...], ...]}: one list for each record, in the order
 /// in which the hardware draws; "masked": [...] names the words with bits outside all fields.
@@ -104,8 +108,13 @@ fn reply(
         Err(error) => return refuse(answer, error.id.as_deref(), &error.to_string()),
     };
     let id = request.id.as_deref();
-    let (key, has_depth) = (request.primitive.key(), request.primitive.has_depth());
-    let primitive = match model.prepare(&request.primitive) {
+    let key = request.primitive.key();
+    let given = [request.primitive.has_depth(), request.shading.is_some()];
+    let prepared = model.prepare(&request.primitive).and_then(|primitive| match &request.shading {
+        Some(shading) => model.shade(primitive, shading),
+        None => Ok(primitive),
+    });
+    let primitive = match prepared {
         Ok(primitive) => primitive,
         Err(error) => return refuse(answer, id, &error.to_string()),
     };
@@ -114,7 +123,7 @@ fn reply(
         Some(words) => reply_records(model, &primitive, words, id, answer),
         None => model
             .draw(&primitive, drawing)
-            .map(|()| write_answer(answer, id, drawing, has_depth))
+            .map(|()| write_answer(answer, id, (model, drawing), given))
             .map_err(|error| error.to_string()),
     };
     match drawn {
@@ -172,7 +181,12 @@ fn reply_records(
     Ok(())
 }
 
-fn write_answer(answer: &mut String, id: Option<&str>, drawing: &Drawing, has_depth: bool) {
+fn write_answer(
+    answer: &mut String,
+    id: Option<&str>,
+    (model, drawing): (&Model, &Drawing),
+    [has_depth, has_channels]: [bool; 2],
+) {
     let _ = write!(answer, "{{\"id\": {}, \"rows\": [", id.unwrap_or("null"));
     for (n, span) in drawing.spans.iter().enumerate() {
         let comma = if n == 0 { "" } else { ", " };
@@ -186,6 +200,9 @@ fn write_answer(answer: &mut String, id: Option<&str>, drawing: &Drawing, has_de
             let _ = write!(answer, "{comma}{z}");
         }
         answer.push(']');
+    }
+    if has_channels {
+        write_channels(answer, model, drawing);
     }
     if !drawing.masks.is_empty() {
         answer.push_str(", \"masks\": [");
@@ -203,6 +220,24 @@ fn write_answer(answer: &mut String, id: Option<&str>, drawing: &Drawing, has_de
             let _ = write!(answer, "{comma}\"{key}\": {count}");
         }
         answer.push('}');
+    }
+    answer.push('}');
+}
+
+/// `"channels": {"color": [[r, g, b], ...]}`: the components at each place, run by run.
+fn write_channels(answer: &mut String, model: &Model, drawing: &Drawing) {
+    answer.push_str(", \"channels\": {");
+    for (n, port) in model.ports().channels.iter().enumerate() {
+        let comma = if n == 0 { "" } else { ", " };
+        // A triangle that covers nothing has no values.
+        let values = drawing.channels.get(n).map_or(&[][..], Vec::as_slice);
+        let _ = write!(answer, "{comma}\"{}\": [", port.name);
+        for (n, place) in values.chunks(port.components.len()).enumerate() {
+            let comma = if n == 0 { "" } else { ", " };
+            let codes: Vec<String> = place.iter().map(i64::to_string).collect();
+            let _ = write!(answer, "{comma}[{}]", codes.join(", "));
+        }
+        answer.push(']');
     }
     answer.push('}');
 }

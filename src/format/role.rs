@@ -123,7 +123,8 @@ impl WordFormat {
         self.width
     }
 
-    fn column(self, name: String, meaning: String) -> Column {
+    /// A column of such words.
+    pub const fn column(self, name: String, meaning: String) -> Column {
         let Self { width, signed, fraction } = self;
         Column { name, width, signed, fraction, meaning }
     }

@@ -2,15 +2,16 @@
 //! and two barycentric coordinates, walked on the sample grid, weigh the vertex values at every
 //! fragment. Spec clauses `A-2` and `A-6`.
 
+mod carry;
 mod form;
 
 pub(super) use form::KIND;
 
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{accumulated_span, drawable};
-use super::{DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
-use crate::cover::{EdgeWordConfig, EdgeWordError};
+use crate::cover::{EdgeWordConfig, EdgeWordError, SampleGrid};
 use crate::dda::Processor;
 use crate::format::{ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{Division, Gradient, Plane, Triangle, VertexConfig};
@@ -53,14 +54,14 @@ pub enum BarycentricError {
     },
     /// A weighted value outgrows 128-bit arithmetic.
     #[error(
-        "coordinate + depth integer + interpolation + 4 = {coordinate} + {integer} + \
+        "coordinate + integer + interpolation + 4 = {coordinate} + {integer} + \
          {interpolation} + 4 > 126: the weighted sum does not fit exact 128-bit arithmetic; use \
          fewer bits in one of these fields"
     )]
     Sum {
         /// Fraction bits of a coordinate.
         coordinate: u32,
-        /// Depth bits.
+        /// Bits of a vertex value.
         integer: u32,
         /// Interpolation bits.
         interpolation: u32,
@@ -113,10 +114,10 @@ impl BarycentricConfig {
     }
 
     /// A coordinate as a planar DDA: the share of vertex `n`, rounded once at its start and slopes.
-    fn share(&self, triangle: &Triangle, n: usize, target: &Target) -> Plane {
+    fn share(&self, triangle: &Triangle, n: usize, grid: &SampleGrid) -> Plane {
         let mut weight = [0; 3];
         weight[n] = 1;
-        let (gradient, grid) = (Gradient::new(triangle, weight), &target.grid);
+        let gradient = Gradient::new(triangle, weight);
         let (bits, rounding) = (self.coordinate, self.rounding);
         Plane::round(&gradient, grid.offset, grid.sub_pixel, bits, rounding, Division::Quotient)
     }
@@ -133,16 +134,31 @@ pub struct Barycentric {
 }
 
 /// Two coordinates and the values they weigh.
+#[derive(Clone, Copy, Debug)]
 struct Weighted {
-    depth: Depth,
     shares: [Plane; 2],
     base: i128,
     rise: [i128; 2],
+    /// Bits of the values below the binary point.
+    scale: u32,
+    /// Bits of the accumulator below it, and what it gains.
+    fraction: u32,
+    gain: i128,
 }
 
 impl Weighted {
-    /// The depth accumulator at a pixel, unwrapped: the weighted sum, its fraction cut to that of
-    /// the read-out.
+    /// Values at the vertices, weighed.
+    fn new(
+        shares: [Plane; 2],
+        [base, one, two]: [i128; 3],
+        scale: u32,
+        (fraction, gain): (u32, i128),
+    ) -> Self {
+        Self { shares, base, rise: [one - base, two - base], scale, fraction, gain }
+    }
+
+    /// The accumulator at a pixel, unwrapped: the weighted sum, its fraction cut to that of the
+    /// read-out.
     fn at(&self, config: &BarycentricConfig, x: u32, y: u32) -> i128 {
         let width = config.coordinate_width();
         let mut sum = self.base << config.coordinate;
@@ -152,13 +168,10 @@ impl Weighted {
                 share.at(i128::from(x), i128::from(y)).raw() << (128 - width) >> (128 - width);
             sum += word * rise;
         }
-        let fraction = self.depth.read_out().fraction();
-        let cut = if config.coordinate >= fraction {
-            sum >> (config.coordinate - fraction)
-        } else {
-            sum << (fraction - config.coordinate)
-        };
-        cut + self.depth.start_bias()
+        let (below, fraction) = (config.coordinate + self.scale, self.fraction);
+        let cut =
+            if below >= fraction { sum >> (below - fraction) } else { sum << (fraction - below) };
+        cut + self.gain
     }
 }
 
@@ -188,13 +201,18 @@ impl Barycentric {
         Self { config, mask, depth, target, ports }
     }
 
-    fn weighted(&self, triangle: &Triangle) -> Option<Weighted> {
-        let (depth, z) = self.depth.zip(triangle.z)?;
-        let shares = [1, 2].map(|n| self.config.share(triangle, n, &self.target));
-        Some(Weighted { depth, shares, base: z[0], rise: [z[1] - z[0], z[2] - z[0]] })
+    fn shares(&self, triangle: &Triangle, grid: &SampleGrid) -> [Plane; 2] {
+        [1, 2].map(|n| self.config.share(triangle, n, grid))
     }
 
-    fn words(&self, triangle: &Triangle, weighted: Option<&Weighted>) -> Vec<Unreduced> {
+    fn weighted(&self, triangle: &Triangle) -> Option<(Depth, Weighted)> {
+        let (depth, z) = self.depth.zip(triangle.z)?;
+        let shares = self.shares(triangle, &self.target.grid);
+        let format = (depth.read_out().fraction(), depth.start_bias());
+        Some((depth, Weighted::new(shares, z, 0, format)))
+    }
+
+    fn words(&self, triangle: &Triangle, weighted: Option<Weighted>) -> Vec<Unreduced> {
         let mut words = setup_words(&self.config.edge.words(triangle, &self.target.grid));
         if self.depth.is_some() {
             let none = [Plane::zero(self.config.coordinate); 2];
@@ -256,11 +274,15 @@ impl Machine for Barycentric {
         &self.ports
     }
 
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(self)
+    }
+
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
         let weighted = self.weighted(&triangle);
         if out.wants_setup() {
-            out.setup(&self.words(&triangle, weighted.as_ref()));
+            out.setup(&self.words(&triangle, weighted.map(|(_, weighted)| weighted)));
         }
         let words = self.config.edge.words(&triangle, &self.target.grid);
         let v = triangle.xy;
@@ -274,13 +296,13 @@ impl Machine for Barycentric {
             work.rows += 1;
             work.visits += u64::from(x1 - x0);
             self.mask.runs(&words, [x0, y, x1, y + 1], &mut |y, x0, x1| {
-                let Some(weighted) = &weighted else {
+                let Some((depth, weighted)) = &weighted else {
                     out.span(y, x0, x1, &[]);
                     return Ok(());
                 };
                 values.clear();
                 values.extend((x0..x1).map(|x| weighted.at(&self.config, x, y)));
-                accumulated_span(&weighted.depth, (y, x0), &values, out)
+                accumulated_span(depth, (y, x0), &values, out)
             })?;
         }
         work.steps = work.visits;

@@ -6,8 +6,9 @@ mod form;
 pub use form::EdgeFunctionConfig;
 pub(super) use form::KIND;
 
+use super::carry::Planes;
 use super::painter::{Painter, drawable};
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWords, for_each_run};
 use crate::dda::{Processor, row_inside};
@@ -82,6 +83,10 @@ impl EdgeFunction {
 impl Machine for EdgeFunction {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Planes)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

@@ -5,8 +5,9 @@ mod form;
 
 pub(super) use form::KIND;
 
+use super::carry::Planes;
 use super::painter::{Painter, drawable};
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
 use crate::format::{Clamp, Column, ReadOut, ReadOutError, Role, Unreduced, WordFormat};
@@ -221,6 +222,10 @@ impl EdgeWalk {
 impl Machine for EdgeWalk {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Planes)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

@@ -6,9 +6,10 @@ mod form;
 pub use form::EnginePerPixelConfig;
 pub(super) use form::KIND;
 
+use super::carry::Planes;
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{Painter, drawable};
-use super::{DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, EdgeFunction, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::EdgeWordConfig;
 use crate::dda::Processor;
 use crate::setup::VertexConfig;
@@ -46,6 +47,10 @@ impl EnginePerPixel {
 impl Machine for EnginePerPixel {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Planes)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

@@ -1,14 +1,18 @@
 //! The two-stage DDA of Gouraud shading: x and depth walk down the edges, depth walks along the
 //! span between them. Draws quadrilaterals and other polygons, too. Spec clauses `A-2` and `A-3`.
 
+mod carry;
 mod form;
 
 pub use form::GouraudConfig;
 pub(super) use form::KIND;
 
 use super::painter::{accumulated_span, drawable};
-use super::{DrawError, EdgeWalkConfig, Input, Machine, Ports, Sink, Target, WalkedEdge, Work};
+use super::{
+    Carrier, DrawError, EdgeWalkConfig, Input, Machine, Ports, Sink, Target, WalkedEdge, Work,
+};
 use crate::bits::Rounding;
+use crate::cover::SampleGrid;
 use crate::format::{ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{Polygon, Triangle, VertexConfig};
 use crate::value::Depth;
@@ -52,20 +56,11 @@ impl Gouraud {
         Self { config, word, depth, target, ports: Ports::valued(vertex, setup, depth) }
     }
 
-    fn edge(&self, [from, to]: [[i128; 2]; 2], z: Option<[i128; 2]>) -> Option<Edge> {
-        let grid = &self.target.grid;
-        let x = self.config.edge(from, to, grid)?;
-        let depth = self.depth.zip(z).map(|(depth, [z0, z1])| {
-            // Upward edges are walked down from their other end.
-            let (top, height, z, rise) = if x.left {
-                (to[1], from[1] - to[1], z1, z0 - z1)
-            } else {
-                (from[1], to[1] - from[1], z0, z1 - z0)
-            };
+    fn edge(&self, ends: [[i128; 2]; 2], z: Option<[i128; 2]>) -> Option<Edge> {
+        let x = self.config.edge(ends[0], ends[1], &self.target.grid)?;
+        let depth = self.depth.zip(z).map(|(depth, z)| {
             let (rounding, fraction) = (depth.config().rounding, depth.read_out().fraction());
-            let below = grid.position(0, x.first_row)[1] - top;
-            let start = quotient(rounding, (z * height + below * rise) << fraction, height);
-            let slope = quotient(rounding, rise << (fraction + grid.sub_pixel), height);
+            let [start, slope] = descend(&self.target.grid, &x, ends, (z, 0), (rounding, fraction));
             [start + depth.start_bias(), slope]
         });
         Some(Edge { x, depth })
@@ -117,16 +112,21 @@ impl Gouraud {
         [left, right]: [(i128, i128); 2],
         out: &mut dyn Sink,
     ) -> Result<(), DrawError> {
+        let [first, slope] = self.along(depth.config().rounding, x0, [left, right]);
+        let values: Vec<i128> = (0..i128::from(x1 - x0)).map(|n| first + slope * n).collect();
+        accumulated_span(depth, (y, x0), &values, out)
+    }
+
+    /// The value at the sample of column x0 of a span between two cuts, and its slope along the span: each
+    /// rounded once.
+    fn along(&self, rounding: Rounding, x0: u32, [left, right]: [(i128, i128); 2]) -> [i128; 2] {
         let (grid, fraction) = (&self.target.grid, self.config.fraction);
-        let rounding = depth.config().rounding;
         // A span with a sample has a width.
         let slope = quotient(rounding, (right.1 - left.1) << fraction, right.0 - left.0);
         let sample = grid.position(i128::from(x0), 0)[0];
         let inside = (sample << fraction) - (left.0 << grid.sub_pixel);
         let (adjusted, _) = rounding.shift_right(slope * inside, fraction + grid.sub_pixel);
-        let first = left.1 + adjusted;
-        let values: Vec<i128> = (0..i128::from(x1 - x0)).map(|n| first + slope * n).collect();
-        accumulated_span(depth, (y, x0), &values, out)
+        [left.1 + adjusted, slope]
     }
 
     fn walk(
@@ -174,6 +174,29 @@ impl Gouraud {
     }
 }
 
+/// A value walked down an edge: at its first row, and its change a row, each rounded once to the fraction.
+/// The values of the two ends have so many bits below the binary point.
+fn descend(
+    grid: &SampleGrid,
+    x: &WalkedEdge,
+    [from, to]: [[i128; 2]; 2],
+    ([z0, z1], scale): ([i128; 2], u32),
+    (rounding, fraction): (Rounding, u32),
+) -> [i128; 2] {
+    // Upward edges are walked down from their other end.
+    let (top, height, z, rise) = if x.left {
+        (to[1], from[1] - to[1], z1, z0 - z1)
+    } else {
+        (from[1], to[1] - from[1], z0, z1 - z0)
+    };
+    let below = grid.position(0, x.first_row)[1] - top;
+    let whole = height << scale;
+    [
+        quotient(rounding, (z * height + below * rise) << fraction, whole),
+        quotient(rounding, rise << (fraction + grid.sub_pixel), whole),
+    ]
+}
+
 /// A quotient by what an earlier clause keeps from being zero.
 fn quotient(rounding: Rounding, numerator: i128, denominator: i128) -> i128 {
     rounding.divide(numerator, denominator).map_or(0, |(quotient, _)| quotient)
@@ -182,6 +205,10 @@ fn quotient(rounding: Rounding, numerator: i128, denominator: i128) -> i128 {
 impl Machine for Gouraud {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(self)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

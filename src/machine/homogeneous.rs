@@ -7,8 +7,9 @@ mod form;
 
 pub(super) use form::KIND;
 
+use super::carry::Planes;
 use super::painter::Painter;
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::FillRule;
 use crate::format::{Column, ReadOut, Role, Unreduced, WordFormat};
 use crate::setup::{ClipSetup, ClipTriangle, Linear, VertexConfig, linear_at};
@@ -181,6 +182,10 @@ impl Homogeneous {
 impl Machine for Homogeneous {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Planes)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

@@ -2,7 +2,7 @@
 //! Spec clauses `U-1` to `U-4`.
 
 use super::painter::report;
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::{Place, SpanEvents, bounded};
 use crate::cover::{DepthAt, MultisampleConfig, Rect};
 use crate::format::{Column, Role, Unreduced, WordFormat};
@@ -144,6 +144,10 @@ impl Multisampled {
 impl Machine for Multisampled {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        self.samples.first()?.carrier()
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

@@ -1,5 +1,6 @@
 //! The words a machine takes and makes. Files, packages and waveforms derive from these.
 
+use super::channels::ChannelPort;
 use super::register::Registers;
 use crate::bits::{self, WidthError};
 use crate::format::{Column, FractionMismatch, QFormat, Role, Unreduced, WordFormat};
@@ -19,6 +20,8 @@ pub struct Ports {
     pub mask: Option<Column>,
     /// Whether depth is that of every covered sample of a pixel, and not one a pixel.
     pub by_sample: bool,
+    /// The channels of the profile.
+    pub channels: Vec<ChannelPort>,
     /// The words of a machine that begins at registers.
     pub registers: Option<Registers>,
 }
@@ -103,6 +106,14 @@ impl Ports {
             let meaning = "Depth as stored, in the profile's depth format.".to_owned();
             Column { meaning, ..column }
         });
-        Self { input, setup, depth, mask: None, by_sample: false, registers: None }
+        Self {
+            input,
+            setup,
+            depth,
+            mask: None,
+            by_sample: false,
+            channels: Vec::new(),
+            registers: None,
+        }
     }
 }

@@ -5,7 +5,7 @@
 use super::{Datapath, Form, Machine, RasterState, RegisterDevice, Site, Word};
 use crate::cover::{EdgeWordConfig, FillRule, SampleGrid};
 use crate::exact::{PlaneNumerator, Rational};
-use crate::format::{Decision, Refused, Value};
+use crate::format::{Decision, ReadOut, Refused, Value};
 use crate::setup::Triangle;
 use crate::value::ChannelConfig;
 use std::fmt::Display;
@@ -37,6 +37,17 @@ pub enum Intake {
     Triangles,
     /// The registers of one piece of hardware; triangles by way of its host alone.
     Registers,
+}
+
+/// Where a machine can evaluate channels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Carries {
+    /// Nowhere.
+    Nothing,
+    /// Where it samples coverage, and nowhere else.
+    AtItsSample,
+    /// At any place of a pixel.
+    Anywhere,
 }
 
 /// What a machine draws of a polygon with more than three vertices.
@@ -204,6 +215,26 @@ pub trait Rasterizer: std::fmt::Debug + Send + Sync {
     /// The device that a machine of registers asks for.
     fn register_device(&self) -> Option<RegisterDevice> {
         None
+    }
+
+    /// Where the machine can evaluate channels.
+    fn carries(&self) -> Carries {
+        Carries::Nothing
+    }
+
+    /// Checks the growth of a linear value of this format, whose vertex values have `scale` bits below the
+    /// binary point. `channel` is its name.
+    ///
+    /// # Errors
+    /// [`FormError`] names the violated inequality.
+    fn check_carried(
+        &self,
+        _state: &RasterState,
+        _channel: &str,
+        _read: ReadOut,
+        _scale: u32,
+    ) -> Result<(), FormError> {
+        Ok(())
     }
 
     /// The channels of a machine that begins at registers.

@@ -5,8 +5,9 @@ mod form;
 
 pub(super) use form::KIND;
 
+use super::carry::Spans;
 use super::painter::{Painter, drawable};
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::{FillRule, fits_narrow, polygon, scan};
 use crate::format::{Role, Unreduced, WordFormat};
 use crate::setup::{Polygon, Triangle, VertexConfig};
@@ -91,6 +92,10 @@ impl Scanline {
 impl Machine for Scanline {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Spans)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

@@ -5,9 +5,10 @@ mod form;
 
 pub(super) use form::KIND;
 
+use super::carry::Planes;
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{Painter, drawable};
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWordError, EdgeWords, for_each_run};
 use crate::dda::{Edges, Processor, row_inside};
@@ -186,6 +187,10 @@ impl Tiles {
 impl Machine for Tiles {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Planes)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

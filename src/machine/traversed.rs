@@ -1,9 +1,10 @@
 //! Edge functions visited in any order: accumulators stepped from stamp to stamp.
 //! Spec clauses `O-1` to `O-5`.
 
+use super::carry::Planes;
 use super::edge_function::{edge_columns, setup_words};
 use super::painter::{Painter, accumulated_span, drawable};
-use super::{DrawError, Input, Machine, Ports, Sink, Target, Work};
+use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::{Bitmask, Block, EdgeWordConfig, EdgeWords, Outside, Rect, TraversalConfig};
 use crate::cover::{Visitor, for_each_run};
 use crate::dda::{Op, Walker};
@@ -167,6 +168,10 @@ impl Traversed {
 impl Machine for Traversed {
     fn ports(&self) -> &Ports {
         &self.ports
+    }
+
+    fn carrier(&self) -> Option<&dyn Carrier> {
+        Some(&Planes)
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {

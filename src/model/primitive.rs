@@ -7,14 +7,16 @@ use crate::scene;
 use crate::setup::{
     ClipTriangle, Coordinate, Polygon, Shape, Snapped, Triangle, VertexConfig, VertexError,
 };
+use crate::value::{ValueError, VertexValues};
 
 /// A primitive that a model may draw. Only [`Model::prepare`] makes one.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Primitive(Kind);
+pub struct Primitive(pub(super) Kind);
 
 #[derive(Clone, Debug, PartialEq, Eq)]
-enum Kind {
+pub(super) enum Kind {
     Triangle(Snapped<Triangle>),
+    Shaded(Snapped<Triangle>, VertexValues),
     Clip(ClipTriangle),
     Polygon(Snapped<Polygon>),
     Line(Snapped<Segment>),
@@ -26,6 +28,7 @@ impl<'a> From<&'a Primitive> for Input<'a> {
     fn from(primitive: &'a Primitive) -> Self {
         match &primitive.0 {
             Kind::Triangle(shape) => Self::Triangle(shape),
+            Kind::Shaded(shape, values) => Self::Shaded(shape, values),
             Kind::Clip(shape) => Self::Clip(shape),
             Kind::Polygon(shape) => Self::Polygon(shape),
             Kind::Line(shape) => Self::Line(shape),
@@ -59,6 +62,14 @@ pub enum PrimitiveError {
     /// Depth for a profile that has none.
     #[error("field `{0}`: the profile has no [depth], so vertices must have no z; leave z out")]
     NoDepth(&'static str),
+    /// Channels that do not go with those of the profile.
+    #[error("field `channels`: {0}")]
+    Values(#[from] ValueError),
+    /// Channels for a profile that has none.
+    #[error(
+        "field `channels`: the profile has no [[channel]], so vertices must bring no channels; leave them out"
+    )]
+    NoChannels,
     /// The machine refused it.
     #[error(transparent)]
     Draw(#[from] DrawError),

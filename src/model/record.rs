@@ -27,6 +27,9 @@ pub struct Drawing {
     /// Depth of each covered sample, run by run; empty when the primitive has none. With several
     /// samples a pixel it is in pixel and then sample order, or one a pixel: `Ports::by_sample`.
     pub depth: Vec<u64>,
+    /// Values of each channel, run by run: at each place the components in their order. There is a place a
+    /// pixel, or one a covered sample: `ChannelPort::by_sample`.
+    pub channels: Vec<Vec<i64>>,
     /// Coverage mask of each pixel of the runs, where pixels have several samples.
     pub masks: Vec<u32>,
     /// Numeric events of the depth values.
@@ -42,6 +45,7 @@ impl Drawing {
         self.spans.clear();
         self.depth.clear();
         self.masks.clear();
+        self.channels.iter_mut().for_each(Vec::clear);
         self.events = EventLog::default();
         self.zero_area = false;
     }
@@ -82,6 +86,13 @@ impl Sink for Drawing {
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         self.spans.push(Span { y, x0, x1 });
         self.depth.extend_from_slice(depth);
+    }
+
+    fn channel(&mut self, channel: usize, _: u32, _: u32, values: &[i64]) {
+        if self.channels.len() <= channel {
+            self.channels.resize(channel + 1, Vec::new());
+        }
+        self.channels[channel].extend_from_slice(values);
     }
 
     fn masks(&mut self, _: u32, _: u32, masks: &[u32]) {

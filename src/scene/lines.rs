@@ -12,9 +12,18 @@
 //! | `polygon` | `[[x,y,z],...]`, three or more | integers, as for `v`, on machines that draw polygons |
 //! | `clip` | `[[X,Y,Z,W],[X,Y,Z,W],[X,Y,Z,W]]` | integers: homogeneous window coordinates, X / W in sub-pixels and Z / W in depth ULPs; on machines that take them |
 //!
+//! Beside `v` and `f` there may be channels, each by the name that the profile gives it:
+//!
+//! | key | value | meaning |
+//! | --- | --- | --- |
+//! | `channels` | `{"color": [[r,g,b],[r,g,b],[r,g,b]]}` | beside `v` codes; beside `f` reals, 1 is the channel's `unit` |
+//! | `q` | `[q,q,q]` | beside `v`: codes of 1/w |
+//! | `w` | `[w,w,w]` | beside `f`: distances from the eye, above 0 |
+//!
 //! z may be left out, for all three vertices at once. An integer is a plain JSON number or a string
 //! of decimal digits, and never passes through a double.
 
+mod channels;
 mod number;
 mod object;
 mod shape;
@@ -22,7 +31,7 @@ mod write;
 
 use serde_json::value::RawValue;
 
-use super::{Primitive, Triangle};
+use super::{Primitive, Shading, Triangle};
 use number::{integer, list, real, triple, word};
 pub use write::to_line;
 
@@ -33,6 +42,8 @@ pub struct Request {
     pub id: Option<String>,
     /// What the line asks to draw.
     pub primitive: Primitive,
+    /// What its vertices bring for channels.
+    pub shading: Option<Shading>,
 }
 
 /// A line that cannot be read: where in it, and why.
@@ -72,7 +83,9 @@ pub enum Fault {
         got: usize,
     },
     /// A key nobody reads.
-    #[error("unknown key; the known keys are id, v, f, words, line, point, polygon, clip")]
+    #[error(
+        "unknown key; the known keys are id, v, f, words, line, point, polygon, clip, channels, q, w"
+    )]
     UnknownKey,
     /// A key given twice.
     #[error("the key is given twice; remove one")]
@@ -98,6 +111,32 @@ pub enum Fault {
         /// Coordinates of vertex 0.
         first: usize,
     },
+    /// Another number of components at another vertex.
+    #[error(
+        "{got} components, but vertex 0 has {first}; give the same components for all vertices"
+    )]
+    MixedComponents {
+        /// Components of this vertex.
+        got: usize,
+        /// Components of vertex 0.
+        first: usize,
+    },
+    /// w in the other form.
+    #[error(
+        "beside `{key}`, w is given as `{need}`: `q` has codes of 1/w, `w` has distances from the eye"
+    )]
+    OtherW {
+        /// The key that is needed.
+        need: &'static str,
+        /// The key of the vertices.
+        key: &'static str,
+    },
+    /// w without channels.
+    #[error("w is given, but no `channels`; give the channels that need it, or leave it out")]
+    OnlyW,
+    /// Channels of what has none.
+    #[error("only triangles under `v` or `f` have channels")]
+    NoVertices,
     /// A number with a fraction or an exponent, or no number, where an integer is needed.
     #[error(
         "{0} is not an integer; write decimal digits without point or exponent, or use `f` for real numbers"
@@ -114,6 +153,9 @@ pub enum Fault {
     /// Not a bit pattern.
     #[error("{0} is not a bit pattern; write 8 hex digits (binary32) or 16 (binary64)")]
     Pattern(String),
+    /// Channels in a scene.
+    #[error("a scene of JSON Lines has no channels yet; draw the line with `eval`")]
+    SceneChannels,
     /// A request that is no triangle, in a scene.
     #[error("a scene contains only triangles: `v` or `f`")]
     NotTriangle,
@@ -131,10 +173,10 @@ pub fn parse_line(line: &str) -> Result<Request, LineError> {
         .map_err(|(place, fault)| LineError { id: None, place, fault })
         .map(|members| {
             let id = members.iter().find(|(key, _)| key == "id");
-            (id.map(|(_, raw)| raw.get().to_owned()), primitive(&members))
+            (id.map(|(_, raw)| raw.get().to_owned()), asked(&members))
         })?;
     match read {
-        Ok(primitive) => Ok(Request { id, primitive }),
+        Ok((primitive, shading)) => Ok(Request { id, primitive, shading }),
         Err((field, fault)) => {
             let place = if field.is_empty() { "line".into() } else { format!("field `{field}`") };
             Err(LineError { id, place, fault })
@@ -153,8 +195,13 @@ pub fn parse_scene(text: &str) -> Result<Vec<Triangle>, (usize, LineError)> {
         if line.trim().is_empty() {
             continue;
         }
-        let Request { id, primitive } = parse_line(line).map_err(|error| (index + 1, error))?;
+        let Request { id, primitive, shading } =
+            parse_line(line).map_err(|error| (index + 1, error))?;
         let place = format!("field `{}`", primitive.key());
+        if shading.is_some() {
+            let place = "field `channels`".to_owned();
+            return Err((index + 1, LineError { id, place, fault: Fault::SceneChannels }));
+        }
         if let Primitive::Triangle(triangle) = primitive {
             triangles.push(triangle);
             continue;
@@ -164,7 +211,19 @@ pub fn parse_scene(text: &str) -> Result<Vec<Triangle>, (usize, LineError)> {
     Ok(triangles)
 }
 
-const KEYS: [&str; 8] = ["id", "v", "f", "words", "line", "point", "polygon", "clip"];
+/// What a line may draw, then what may stand beside it.
+const KEYS: [&str; 11] =
+    ["v", "f", "words", "line", "point", "polygon", "clip", "id", "channels", "q", "w"];
+
+/// The keys that draw.
+const DRAWN: usize = 7;
+
+/// What to draw, and what its vertices bring.
+fn asked(members: &[(String, &RawValue)]) -> Part<(Primitive, Option<Shading>)> {
+    let primitive = primitive(members)?;
+    let shading = channels::shading(members, primitive.key())?;
+    Ok((primitive, shading))
+}
 
 fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {
     for (index, (key, _)) in members.iter().enumerate() {
@@ -175,7 +234,7 @@ fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {
             return Err((key.clone(), Fault::Duplicate));
         }
     }
-    let mut drawn = members.iter().filter(|(key, _)| key != "id");
+    let mut drawn = members.iter().filter(|(key, _)| KEYS[..DRAWN].contains(&key.as_str()));
     let (key, raw) = drawn.next().ok_or((String::new(), Fault::Nothing))?;
     if let Some((second, _)) = drawn.next() {
         return Err((second.clone(), Fault::Several { first: key.clone() }));

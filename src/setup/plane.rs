@@ -33,6 +33,13 @@ impl Gradient {
             anchor: (triangle.xy[0], z[0]),
         }
     }
+
+    /// The value at a point in sub-pixels, times `area2`.
+    #[inline]
+    pub const fn numerator(&self, at: [i128; 2]) -> i128 {
+        let ([x0, y0], z0) = self.anchor;
+        z0 * self.area2 + self.x * (at[0] - x0) + self.y * (at[1] - y0)
+    }
 }
 
 /// A plane before it is cut to words: its value at the sample of pixel (0, 0) and its two slopes per

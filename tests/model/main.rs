@@ -10,6 +10,7 @@ mod run;
 mod set;
 
 mod accuracy;
+mod channels;
 mod depth_format;
 mod exact;
 mod exhaustive;

@@ -163,6 +163,8 @@ impl Question {
             line: None,
             point: None,
             depth: None,
+            w: None,
+            channel: Vec::new(),
         };
         let guard_band = Some(band);
         let mut question = Self::new(&profile, Overrides { guard_band, ..Overrides::default() })?;

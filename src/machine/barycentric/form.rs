@@ -1,13 +1,13 @@
 //! The machine `barycentric` as a profile configures it. Spec clauses `A-2` and `A-6`.
 
-use super::{Barycentric, BarycentricConfig};
+use super::{Barycentric, BarycentricConfig, BarycentricError};
 use crate::bits::Rounding;
 use crate::cover::{EdgeWordConfig, FillRule};
 use crate::exact::{PlaneNumerator, Rational, dyadic, integer};
-use crate::format::{Refused, Value};
+use crate::format::{ReadOut, Refused, Value};
 use crate::machine::{
-    Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
-    Rasterizer, Site, Step, Steps, Unit, Word, edge_words, rounding_error,
+    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Unit, Word, edge_words, rounding_error,
 };
 
 /// What is known of the machine.
@@ -134,6 +134,26 @@ impl Rasterizer for BarycentricConfig {
         let mut steps = Steps::of(self, Into::into);
         edge_words::steps(&mut steps, "edge.", |config| &mut config.edge);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::Anywhere
+    }
+
+    fn check_carried(
+        &self,
+        _: &RasterState,
+        channel: &str,
+        read: ReadOut,
+        scale: u32,
+    ) -> Result<(), FormError> {
+        let (coordinate, interpolation) = (self.coordinate, read.fraction());
+        let integer = read.integer() + scale;
+        if coordinate + integer + interpolation + 4 <= 126 {
+            return Ok(());
+        }
+        let error = BarycentricError::Sum { coordinate, integer, interpolation };
+        Err(FormError::own(&KIND, error.field(), format!("channel {channel:?}: {error}")))
     }
 
     fn decision(&self, name: &str) -> Option<Value> {

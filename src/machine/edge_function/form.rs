@@ -5,8 +5,8 @@ use crate::cover::{EdgeWordConfig, FillRule, Order, TILE};
 use crate::exact::{PlaneNumerator, Rational};
 use crate::format::{Refused, Value};
 use crate::machine::{
-    Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
-    Rasterizer, Site, Step, Steps, Traversed, Word, edge_words, plane_bound,
+    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Traversed, Word, edge_words, plane_bound,
 };
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
@@ -133,6 +133,10 @@ impl Rasterizer for EdgeFunctionConfig {
         let mut steps = Steps::of(self, Into::into);
         edge_words::steps(&mut steps, "", |config| &mut config.0);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::Anywhere
     }
 
     fn decision(&self, name: &str) -> Option<Value> {

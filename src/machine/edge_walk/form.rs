@@ -7,9 +7,9 @@ use crate::cover::FillRule;
 use crate::exact::{PlaneNumerator, Rational};
 use crate::format::{Decision, Level, Refused, Value};
 use crate::machine::{
-    Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
-    Rasterizer, Site, Step, Steps, Unit, Word, corners, edge_words, near, plane_bound, signed_bits,
-    steps_below_half,
+    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Unit, Word, corners, edge_words, near, plane_bound,
+    signed_bits, steps_below_half,
 };
 use crate::setup::{rounding, roundings};
 
@@ -224,6 +224,10 @@ impl Rasterizer for EdgeWalkConfig {
         let mut steps = Steps::of(self, Into::into);
         EdgeWalkConfig::steps(self, &mut steps, |config| config);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::Anywhere
     }
 
     fn decision(&self, name: &str) -> Option<Value> {

@@ -5,8 +5,8 @@ use crate::cover::{EdgeWordConfig, FillRule};
 use crate::exact::{PlaneNumerator, Rational};
 use crate::format::{Refused, Value};
 use crate::machine::{
-    Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
-    Rasterizer, Site, Step, Steps, Word, edge_words, plane_bound,
+    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Word, edge_words, plane_bound,
 };
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
@@ -119,6 +119,10 @@ impl Rasterizer for EnginePerPixelConfig {
         let mut steps = Steps::of(self, Into::into);
         edge_words::steps(&mut steps, "", |config| &mut config.0);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::Anywhere
     }
 
     fn decision(&self, name: &str) -> Option<Value> {

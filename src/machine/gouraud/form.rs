@@ -3,10 +3,10 @@
 use super::Gouraud;
 use crate::cover::FillRule;
 use crate::exact::{PlaneNumerator, Rational, integer, ratio};
-use crate::format::{Refused, Value};
+use crate::format::{ReadOut, Refused, Value};
 use crate::machine::{
-    Count, Datapath, EdgeWalkConfig, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
-    RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
+    Carries, Count, Datapath, EdgeWalkConfig, Face, FormError, Intake, Kind, Machine, Operations,
+    Polygons, RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
 };
 use num_traits::Signed;
 #[cfg(feature = "verification")]
@@ -133,6 +133,21 @@ impl Rasterizer for GouraudConfig {
         let mut steps = Steps::of(self, Into::into);
         self.steps(&mut steps, |config| &mut config.0);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::AtItsSample
+    }
+
+    fn check_carried(
+        &self,
+        state: &RasterState,
+        channel: &str,
+        read: ReadOut,
+        _: u32,
+    ) -> Result<(), FormError> {
+        let grown = self.validate_values(&state.vertex, Some(read));
+        grown.map_err(|error| FormError::own(&KIND, &[], format!("channel {channel:?}: {error}")))
     }
 
     fn decision(&self, name: &str) -> Option<Value> {

@@ -5,8 +5,8 @@ use crate::cover::FillRule;
 use crate::exact::{PlaneNumerator, Rational};
 use crate::format::{ReadOut, Refused, Value};
 use crate::machine::{
-    Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
-    Rasterizer, Site, Step, Steps, Unit, Word, edge_words, plane_bound,
+    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Unit, Word, edge_words, plane_bound,
 };
 
 /// What is known of the machine.
@@ -103,6 +103,10 @@ impl Rasterizer for HomogeneousConfig {
         let mut steps = Steps::of(self, Into::into);
         edge_words::rules(&mut steps, "", |config, rule| config.rule = rule);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::Anywhere
     }
 
     fn decision(&self, _: &str) -> Option<Value> {

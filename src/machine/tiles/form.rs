@@ -5,8 +5,8 @@ use crate::cover::{EdgeWordConfig, FillRule};
 use crate::exact::{PlaneNumerator, Rational};
 use crate::format::{Refused, Value};
 use crate::machine::{
-    Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons, RasterState,
-    Rasterizer, Site, Step, Steps, Word, edge_words, plane_bound,
+    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
+    RasterState, Rasterizer, Site, Step, Steps, Word, edge_words, plane_bound,
 };
 
 /// What is known of the machine.
@@ -89,6 +89,10 @@ impl Rasterizer for TilesConfig {
         let mut steps = Steps::of(self, Into::into);
         edge_words::steps(&mut steps, "edge.", |config| &mut config.edge);
         steps.found()
+    }
+
+    fn carries(&self) -> Carries {
+        Carries::Anywhere
     }
 
     fn decision(&self, name: &str) -> Option<Value> {

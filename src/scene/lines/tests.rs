@@ -166,3 +166,39 @@ fn a_line_written_is_the_line_read() {
     let Triangle::Real { z: Some(z), .. } = triangle(&to_line(0, &odd)) else { panic!() };
     assert_eq!(z.map(f64::to_bits), [0x7ff0_0000_0000_0001, 0x7ff0 << 48, 0xfff0 << 48]);
 }
+
+#[test]
+fn channels_stand_beside_vertices() {
+    let v = r#""v":[[0,0],[1,0],[0,1]]"#;
+    let f = r#""f":[[0,0],[1,0],[0,1]]"#;
+    let line = format!(r#"{{{v},"q":[3,"2",1],"channels":{{"c":[[1,2],[3,4],[5,-6]]}}}}"#);
+    let channels = vec![("c".to_owned(), vec![[1, 3, 5], [2, 4, -6]])];
+    let want = Shading::Codes { channels, inverse_w: Some([3, 2, 1]) };
+    assert_eq!(parse_line(&line).unwrap().shading, Some(want));
+    let line = format!(r#"{{{f},"channels":{{"c":[[0.5],[1],[2e0]]}},"w":[1,2,3.5]}}"#);
+    let channels = vec![("c".to_owned(), vec![[0.5, 1.0, 2.0]])];
+    let want = Shading::Reals { channels, w: Some([1.0, 2.0, 3.5]) };
+    assert_eq!(parse_line(&line).unwrap().shading, Some(want));
+    assert_eq!(parse_line(&format!("{{{v}}}")).unwrap().shading, None);
+    for (tail, want) in [
+        (format!(r#"{v},"w":[1,1,1],"channels":{{}}"#), "field `w`: beside `v`, w is given as `q`"),
+        (format!(r#"{f},"q":[1,1,1],"channels":{{}}"#), "field `q`: beside `f`, w is given as `w`"),
+        (format!(r#"{v},"q":[1,1,1]"#), "field `q`: w is given, but no `channels`"),
+        (format!(r#"{v},"q":[1,1],"channels":{{}}"#), "field `q`: 3 values are needed"),
+        (r#""point":[0,0],"channels":{}"#.to_owned(), "field `channels`: only triangles"),
+        (format!(r#"{v},"channels":[]"#), "field `channels`"),
+        (format!(r#"{v},"channels":{{"c":[[1],[2]]}}"#), "field `channels.c`: 3 vertices"),
+        (
+            format!(r#"{v},"channels":{{"c":[[1],[2],[3,4]]}}"#),
+            "field `channels.c[2]`: 2 components",
+        ),
+        (format!(r#"{v},"channels":{{"c":[[1],[2],[0.5]]}}"#), "field `channels.c[2][0]`: 0.5"),
+        (
+            format!(r#"{v},"channels":{{"c":[[1],[2],[3]],"c":[[1],[2],[3]]}}"#),
+            "field `channels.c`: the key is given twice",
+        ),
+    ] {
+        let got = message(&format!("{{{tail}}}"));
+        assert!(got.contains(want), "{tail}: {got}");
+    }
+}

@@ -1,0 +1,257 @@
+//! The channels of a triangle over any machine that carries linear values: set-up, places, correction.
+//! Spec clauses `CH-1` to `CH-7`.
+
+mod set_up;
+mod sink;
+
+use super::{CarriedWords, Carrier, DrawError, Input, Machine, Sink};
+use crate::bits::bounded;
+use crate::cover::{MultisampleConfig, SampleGrid};
+use crate::format::{Column, WordFormat};
+use crate::setup::{Division, Snapped, Triangle, VertexConfig};
+use crate::value::{
+    AttributeConfig, AttributeError, Correction, Corrector, EvaluatedAt, InverseWConfig,
+    VertexValues,
+};
+use sink::ChannelSink;
+
+/// A channel as files and drawings have it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ChannelPort {
+    /// Its name.
+    pub name: String,
+    /// The values of its components.
+    pub components: Vec<Column>,
+    /// Whether there is a value for every covered sample of a pixel, and not one a pixel.
+    pub by_sample: bool,
+}
+
+/// The channels of a profile.
+#[derive(Clone, Debug)]
+pub struct Channels {
+    list: Vec<Channel>,
+    /// The words of 1/w, where a channel walks it.
+    w: Option<CarriedWords>,
+    /// Where values are taken.
+    grids: Vec<SampleGrid>,
+    ports: Vec<ChannelPort>,
+}
+
+#[derive(Clone, Debug)]
+struct Channel {
+    corrector: Corrector,
+    words: CarriedWords,
+    places: Places,
+    /// Number of its first component among all.
+    first: usize,
+}
+
+/// Where a channel is evaluated: numbers of grids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Places {
+    One(usize),
+    /// At each covered sample: the first of so many.
+    Samples {
+        samples: usize,
+        count: u32,
+    },
+    /// At the centre, or at one of so many samples.
+    Centroid {
+        centre: usize,
+        samples: usize,
+        count: u32,
+    },
+}
+
+impl Channels {
+    /// The channels of a profile, which has no others.
+    ///
+    /// # Errors
+    /// [`AttributeError`] names the violated inequality.
+    pub fn new(
+        configs: &[AttributeConfig],
+        w: Option<&InverseWConfig>,
+        vertex: &VertexConfig,
+        grid: SampleGrid,
+        multisample: Option<MultisampleConfig>,
+    ) -> Result<Self, AttributeError> {
+        let sub_pixel = grid.sub_pixel;
+        let mut grids = Vec::new();
+        let samples = multisample.map_or_else(|| vec![grid], |config| config.grids(sub_pixel));
+        let count = bounded(samples.len());
+        let mut list = Vec::new();
+        let mut ports = Vec::new();
+        let mut first = 0;
+        for config in configs {
+            let mut place = |wanted: &[SampleGrid]| {
+                let found = grids.windows(wanted.len()).position(|known| known == wanted);
+                found.unwrap_or_else(|| {
+                    grids.extend_from_slice(wanted);
+                    grids.len() - wanted.len()
+                })
+            };
+            let centre = SampleGrid { offset: [1 << sub_pixel >> 1; 2], sub_pixel };
+            let places = match (config.at, multisample) {
+                (EvaluatedAt::Sample, None) => Places::One(place(&samples)),
+                (EvaluatedAt::Sample, Some(_)) => {
+                    Places::Samples { samples: place(&samples), count }
+                }
+                (EvaluatedAt::Centroid, Some(_)) => {
+                    Places::Centroid { centre: place(&[centre]), samples: place(&samples), count }
+                }
+                (EvaluatedAt::Centre | EvaluatedAt::Centroid, _) => Places::One(place(&[centre])),
+                (EvaluatedAt::Corner, _) => {
+                    Places::One(place(&[SampleGrid { offset: [0; 2], sub_pixel }]))
+                }
+            };
+            let corrector = Corrector::new(config, w, vertex)?;
+            let words = CarriedWords {
+                read: corrector.read_out(),
+                rounding: config.rounding,
+                division: config.division,
+                gain: config.start_gain(),
+            };
+            let word = code_word(config);
+            let component =
+                |name: &String| word.column(name.clone(), format!("{name} of {}.", config.name));
+            ports.push(ChannelPort {
+                name: config.name.clone(),
+                components: config.components.iter().map(component).collect(),
+                by_sample: matches!(places, Places::Samples { .. }),
+            });
+            let components = config.components.len();
+            list.push(Channel { corrector, words, places, first });
+            first += components;
+        }
+        let walked = w.filter(|_| configs.iter().any(|config| config.correction.walks_w()));
+        let w = walked.map(|w| -> Result<_, AttributeError> {
+            let (rounding, division, gain) = (w.rounding, Division::Quotient, 0);
+            Ok(CarriedWords { read: w.validate(vertex)?, rounding, division, gain })
+        });
+        Ok(Self { list, w: w.transpose()?, grids, ports })
+    }
+
+    /// The channels, in the order of the profile.
+    pub fn ports(&self) -> &[ChannelPort] {
+        &self.ports
+    }
+
+    /// How each is corrected.
+    pub fn correctors(&self) -> impl Iterator<Item = &Corrector> {
+        self.list.iter().map(|channel| &channel.corrector)
+    }
+
+    /// The set-up columns that the channels add to those of their machine.
+    pub fn columns(&self, carrier: &dyn Carrier) -> Vec<Column> {
+        let mut columns = Vec::new();
+        let scale = self.scale();
+        let numbered = |place: usize, new: Vec<Column>| {
+            let several = self.grids.len() > 1;
+            new.into_iter().map(move |column| {
+                let name = if several { format!("{}_{place}", column.name) } else { column.name };
+                Column { name, ..column }
+            })
+        };
+        for place in 0..self.grids.len() {
+            if let Some(words) = &self.w {
+                columns.extend(numbered(place, carrier.columns("w", words, 0)));
+            }
+            for channel in self.list.iter().filter(|channel| channel.places.has(place)) {
+                let config = channel.corrector.config();
+                for component in &config.components {
+                    let name = format!("{}_{component}", config.name);
+                    let new = match channel.carries() {
+                        Some(scaled) => {
+                            let scale = if scaled { scale } else { 0 };
+                            carrier.columns(&name, &channel.words, scale)
+                        }
+                        None => channel.vertex_columns(&name),
+                    };
+                    columns.extend(numbered(place, new));
+                }
+            }
+        }
+        columns
+    }
+
+    /// Bits of a code of 1/w, which are below the binary point of u/w.
+    fn scale(&self) -> u32 {
+        self.w.map_or(0, |words| words.read.integer())
+    }
+
+    /// Draws a triangle on a machine, with the channels of its vertices or without.
+    ///
+    /// # Errors
+    /// [`DrawError`] if the profile refuses what happened.
+    pub fn draw(
+        &self,
+        machine: &dyn Machine,
+        triangle: &Snapped<Triangle>,
+        values: Option<&VertexValues>,
+        out: &mut dyn Sink,
+    ) -> Result<(), DrawError> {
+        let given = triangle;
+        let triangle = triangle.normalised();
+        let set_up = values.zip(machine.carrier()).filter(|_| triangle.area2() > 0);
+        let set_up = set_up.map(|(values, carrier)| {
+            let turned = given.area2() < 0;
+            self.set_up(carrier, &triangle, values, turned)
+        });
+        let columns = if set_up.is_none() && out.wants_setup() {
+            machine.carrier().map_or_else(Vec::new, |carrier| self.columns(carrier))
+        } else {
+            Vec::new()
+        };
+        let mut painter = ChannelSink { channels: self, set_up, columns, out, open: None };
+        machine.draw(&Input::Triangle(given), &mut painter)
+    }
+}
+
+impl Places {
+    fn has(self, place: usize) -> bool {
+        let among =
+            |samples: usize, count: u32| (samples..samples + count as usize).contains(&place);
+        match self {
+            Self::One(at) => place == at,
+            Self::Samples { samples, count } => among(samples, count),
+            Self::Centroid { centre, samples, count } => place == centre || among(samples, count),
+        }
+    }
+}
+
+impl Channel {
+    /// Whether its components are linear values that a machine carries; if so, whether over w.
+    fn carries(&self) -> Option<bool> {
+        match self.corrector.config().correction {
+            Correction::Affine => Some(false),
+            Correction::Flat { .. } | Correction::Barycentric { .. } => None,
+            _ => Some(true),
+        }
+    }
+
+    /// The words of a component that no machine carries: the code, or the codes of the three vertices.
+    fn vertex_columns(&self, name: &str) -> Vec<Column> {
+        let config = self.corrector.config();
+        let word = code_word(config);
+        match config.correction {
+            Correction::Flat { .. } => {
+                vec![word.column(name.to_owned(), format!("{name} of the provoking vertex."))]
+            }
+            _ => (0..3)
+                .map(|n| {
+                    let meaning = format!("{name} of vertex {n} of the normalised triangle.");
+                    word.column(format!("{name}_v{n}"), meaning)
+                })
+                .collect(),
+        }
+    }
+}
+
+/// The word of a code.
+fn code_word(config: &AttributeConfig) -> WordFormat {
+    if config.signed {
+        WordFormat::signed(config.integer)
+    } else {
+        WordFormat::unsigned(config.integer)
+    }
+}

@@ -1,0 +1,133 @@
+//! What a channel's accumulators come to at a sample: the read-out, or the correction for perspective.
+//! Spec clauses `CH-2` to `CH-6`.
+
+use super::attribute::{AttributeConfig, AttributeError, Correction, InverseWConfig};
+use super::reciprocal::ReciprocalUnit;
+use crate::bits::{Rounding, bounded};
+use crate::format::ReadOut;
+use crate::setup::VertexConfig;
+
+/// A channel, ready to be evaluated.
+#[derive(Clone, Debug)]
+pub struct Corrector {
+    config: AttributeConfig,
+    read: ReadOut,
+    /// The accumulator of 1/w, of a correction that takes it.
+    w: Option<ReadOut>,
+    unit: Option<ReciprocalUnit>,
+}
+
+impl Corrector {
+    /// The channel of a profile.
+    ///
+    /// # Errors
+    /// [`AttributeError`] names the violated inequality.
+    pub fn new(
+        config: &AttributeConfig,
+        w: Option<&InverseWConfig>,
+        vertex: &VertexConfig,
+    ) -> Result<Self, AttributeError> {
+        let read = config.validate(vertex, w)?;
+        let w = w.filter(|_| config.correction.needs_w());
+        let w = w.map(|w| w.validate(vertex)).transpose()?;
+        let unit = match &config.correction {
+            Correction::Reciprocal { unit, .. } => Some(unit.unit()),
+            _ => None,
+        };
+        let unit = unit
+            .transpose()
+            .map_err(|error| AttributeError::Reciprocal(config.name.clone(), error))?;
+        Ok(Self { config: config.clone(), read, w, unit })
+    }
+
+    /// The channel.
+    pub fn config(&self) -> &AttributeConfig {
+        &self.config
+    }
+
+    /// The accumulator's format.
+    pub fn read_out(&self) -> ReadOut {
+        self.read
+    }
+
+    /// The accumulator's format of 1/w, of a correction that takes it.
+    pub fn w_read_out(&self) -> Option<ReadOut> {
+        self.w
+    }
+
+    /// The reciprocal unit, of a correction that has one.
+    pub fn unit(&self) -> Option<&ReciprocalUnit> {
+        self.unit.as_ref()
+    }
+
+    /// The accumulator as the read-out sees it, with its fraction: wrapped, then clamped. Clause `CH-2`.
+    #[inline]
+    pub fn held(&self, accumulator: i128) -> i128 {
+        let offset = self.config.offset() << self.read.fraction();
+        self.read.reduce(accumulator + offset).clamp(0, self.read.top() - 1) - offset
+    }
+
+    /// The code of an affine channel. Clause `CH-3`.
+    #[inline]
+    pub fn affine(&self, accumulator: i128) -> i64 {
+        bounded(self.held(accumulator) >> self.read.fraction())
+    }
+
+    /// The code for the accumulators of u/w and 1/w. Clause `CH-5`.
+    #[inline]
+    pub fn divided(&self, over: i128, inverse: i128) -> i64 {
+        let (Some(w), over) = (self.w, self.held(over)) else { return self.affine(over) };
+        let inverse = w.reduce(inverse).clamp(0, w.top() - 1);
+        if inverse == 0 {
+            return self.beyond(over);
+        }
+        // Bits below the binary point of 1/w, then of u/w.
+        let (below, fraction) = (w.integer() + w.fraction(), self.read.fraction());
+        let exact = match (&self.config.correction, &self.unit) {
+            (Correction::Reciprocal { rounding, .. }, Some(unit)) => {
+                let reciprocal = unit.of(inverse);
+                let product = over * reciprocal.mantissa;
+                let places = fraction + reciprocal.exponent;
+                if places >= below {
+                    rounding.shift_right(product, places - below).0
+                } else {
+                    product << (below - places)
+                }
+            }
+            (Correction::Quotient { rounding } | Correction::ConstantW { rounding }, _) => {
+                rounding.divide(over << below, inverse << fraction).map_or(0, |(value, _)| value)
+            }
+            _ => over >> fraction,
+        };
+        self.clamped(exact)
+    }
+
+    /// The code for the weights of the three vertices at a sample. Clause `CH-6`.
+    pub fn weighed(&self, weights: [i128; 3], values: [i128; 3]) -> i64 {
+        let Correction::Barycentric { bits, rounding } = self.config.correction else {
+            unreachable!("weights of a channel of coordinates")
+        };
+        let whole: i128 = weights.iter().sum();
+        if whole <= 0 {
+            return self.beyond(values[0]);
+        }
+        let share = |k: usize| coordinate(rounding, weights[k] << bits, whole);
+        let [u0, u1, u2] = values;
+        self.clamped(((u0 << bits) + share(1) * (u1 - u0) + share(2) * (u2 - u0)) >> bits)
+    }
+
+    /// Where 1/w has come to zero: the code farthest from 0 on the value's side.
+    fn beyond(&self, value: i128) -> i64 {
+        let (low, high) = self.config.range();
+        bounded(if value < 0 { low } else { high })
+    }
+
+    fn clamped(&self, value: i128) -> i64 {
+        let (low, high) = self.config.range();
+        bounded(value.clamp(low, high))
+    }
+}
+
+fn coordinate(rounding: Rounding, numerator: i128, whole: i128) -> i128 {
+    rounding.divide(numerator, whole).map_or(0, |(value, _)| value)
+}
