@@ -14,6 +14,7 @@ pub use walk::Walk;
 
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
+use crate::format::Column;
 use crate::machine::{
     Channels, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
 };
@@ -114,6 +115,14 @@ impl Model {
     /// The channels of the profile; none where it has none.
     pub fn channels(&self) -> Option<&Channels> {
         self.channels.as_ref().map(|(channels, _)| channels)
+    }
+
+    /// The set-up columns that the channels add to those of the machine, which they follow.
+    pub fn channel_columns(&self) -> &[Column] {
+        match &self.channels {
+            None => &[],
+            Some((_, ports)) => &ports.setup[self.machine.ports().setup.len()..],
+        }
     }
 
     /// Values of vertices for the channels of the profile, checked: by name of the channel, three vertices for

@@ -4,7 +4,7 @@ use super::Outcome;
 use super::failure::Failure;
 use super::output::Output;
 use guardbit::profile;
-use guardbit::vector::reference::{Language, reference};
+use guardbit::vector::reference::{Language, ReferenceError, reference};
 
 /// Print a profile as a reference in one file, exact in every bit, without any dependency.
 ///
@@ -22,6 +22,12 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = profile::load(&arguments.profile)?;
+    if !profile.channel.is_empty() {
+        let reason =
+            "it has channels, which references do not have yet; leave [[channel]] and [w] out";
+        let error = ReferenceError { profile: profile.name, reason: reason.to_owned() };
+        return Err(Failure::input(error));
+    }
     let text = reference(&profile, arguments.language).map_err(Failure::input)?;
     let mut output = Output::new();
     output.text(text)?;

@@ -3,6 +3,7 @@
 //! reference model answers, and what it may answer instead is `vector::suspect`. Spec clauses `N-2`
 //! to `N-4`.
 
+mod channel;
 mod coverage;
 mod files;
 mod register;
@@ -14,8 +15,9 @@ mod triangles;
 mod walk;
 mod word;
 
+pub use channel::{ChannelBench, ChannelTest};
 pub use coverage::{Cell, Cells, Coverage, Goal, Reason, Shape, Unreachable};
-pub use files::{Answers, RegisterAnswers, ShapeAnswers, Single, TriangleAnswers};
+pub use files::{Answers, ChannelAnswers, RegisterAnswers, ShapeAnswers, Single, TriangleAnswers};
 pub use register::{RegisterBench, RegisterTest};
 pub use rig::{Rig, Run, TestBench};
 pub use setup::{SetupBench, SetupTest};
@@ -174,6 +176,9 @@ impl Source {
         }
         benches.push(Box::new(SetupBench::new(self)));
         benches.push(Box::new(TriangleBench::new(self)));
+        if let Some(bench) = ChannelBench::new(self) {
+            benches.push(Box::new(bench));
+        }
         for bench in ShapeKind::ALL.into_iter().filter_map(|kind| ShapeBench::new(kind, self)) {
             benches.push(Box::new(bench));
         }

@@ -1,6 +1,7 @@
 //! Devices: what answers the stimulus of a bench. The reference model is one, each suspect of a
 //! diagnosis is one, and a device of one's own can be one too.
 
+mod channel;
 mod register;
 mod setup;
 mod shape;
@@ -8,6 +9,7 @@ mod triangle;
 mod walk;
 mod words;
 
+pub(super) use channel::ChannelDrawer;
 pub(super) use register::{Recorder, records};
 pub(super) use setup::{SetUp, setup_words};
 pub(super) use shape::ShapeDrawer;

@@ -2,6 +2,7 @@
 //! set. A one-change neighbour of the profile is one, a slip that no profile describes is one. Spec
 //! clauses `N-14` and `J-5`.
 
+mod channel;
 mod engine;
 mod fault;
 mod register;

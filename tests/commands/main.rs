@@ -9,6 +9,7 @@ mod run;
 #[path = "../support/set.rs"]
 mod set;
 
+mod channels;
 mod claims;
 mod cli;
 mod command;

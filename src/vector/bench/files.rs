@@ -37,6 +37,15 @@ pub struct ShapeAnswers<T> {
     pub depths: Option<T>,
 }
 
+/// The files of the `channel` bench.
+#[derive(Clone, Debug)]
+pub struct ChannelAnswers<T> {
+    /// Set-up words of each triangle.
+    pub setup: T,
+    /// Codes at covered samples, a file for each channel.
+    pub codes: Vec<T>,
+}
+
 /// The files of a machine that begins at registers.
 #[derive(Clone, Debug)]
 pub struct RegisterAnswers<T> {
@@ -82,6 +91,24 @@ impl<T> ShapeAnswers<T> {
     /// The same with something made of each file.
     pub fn map<U>(&self, make: impl Fn(&T) -> U) -> ShapeAnswers<U> {
         ShapeAnswers { spans: make(&self.spans), depths: self.depths.as_ref().map(&make) }
+    }
+}
+
+impl<T> ChannelAnswers<T> {
+    /// The files in order.
+    pub fn list(&self) -> Vec<&T> {
+        std::iter::once(&self.setup).chain(&self.codes).collect()
+    }
+
+    /// The same with something made of each file.
+    pub fn map<U>(&self, make: impl Fn(&T) -> U) -> ChannelAnswers<U> {
+        ChannelAnswers { setup: make(&self.setup), codes: self.codes.iter().map(make).collect() }
+    }
+}
+
+impl Answers for ChannelAnswers<Table> {
+    fn tables(&mut self) -> Vec<&mut Table> {
+        std::iter::once(&mut self.setup).chain(&mut self.codes).collect()
     }
 }
 

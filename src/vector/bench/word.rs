@@ -12,6 +12,8 @@ use crate::vector::device::grid;
 pub(in crate::vector) fn ready(profile: &Profile, draws: bool) -> Model {
     let nothing = Rect { x0: 0, y0: 0, x1: 0, y1: 0 };
     let mut profile = profile.clone();
+    // Channels have a bench of their own.
+    (profile.channel, profile.w) = (Vec::new(), None);
     if let Some(depth) = profile.depth.as_mut().filter(|depth| depth.clamp == Clamp::Error) {
         // A device cannot refuse a triangle; outside the guard range it decodes as the guard does.
         depth.clamp = Clamp::Guard;

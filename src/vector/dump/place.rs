@@ -70,6 +70,8 @@ fn by_columns(group: &[&Judged], all: &[&Judged]) -> Vec<&'static str> {
             vec!["setup_divider", "triangle_setup"]
         }
         "setup" => vec!["triangle_setup"],
+        "channel" if group[0].subject.spec.stem == "channel-setup.exp" => vec!["channel_setup"],
+        "channel" => vec!["interpolator"],
         "triangle" => {
             let moved = |seen: &Observed| seen.missing + seen.extra > 0;
             let runs = file("span.exp").is_some_and(moved) || file("depth.exp").is_some_and(moved);

@@ -1,0 +1,187 @@
+//! Channels by the command: `eval`, a set, and dumps of devices with typical faults.
+
+use crate::run::{guardbit, run_in};
+use crate::set::tv_rows;
+use std::io::Write;
+use std::path::Path;
+use std::process::Stdio;
+
+const CHANNELS: &str = r#"
+[w]
+guard = 1
+integer = 8
+interpolation = 8
+rounding = "nearest-even"
+clamp = "guard"
+
+[[channel]]
+name = "color"
+components = ["r", "g"]
+guard = 1
+integer = 8
+interpolation = 4
+rounding = "nearest-even"
+clamp = "guard"
+start-bias = "half"
+correction = "affine"
+
+[[channel]]
+name = "texcoord"
+components = ["u", "v"]
+guard = 1
+integer = 8
+interpolation = 8
+rounding = "nearest-even"
+clamp = "guard"
+correction = { quotient = { rounding = "nearest-even" } }
+
+[[channel]]
+name = "detail"
+components = ["u"]
+guard = 1
+integer = 8
+interpolation = 8
+rounding = "nearest-even"
+clamp = "guard"
+
+[channel.correction.reciprocal]
+rounding = "nearest-even"
+
+[channel.correction.reciprocal.unit]
+operand = 12
+index = 4
+entry = 8
+refine = { newton = { bits = [14] } }
+
+[[channel]]
+name = "face"
+components = ["id"]
+guard = 0
+integer = 8
+interpolation = 0
+rounding = "floor"
+clamp = "wrap"
+correction = { flat = { provoking = "last" } }
+"#;
+
+fn profile(folder: &Path, name: &str, change: [&str; 2]) {
+    let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
+    assert!(CHANNELS.contains(change[0]), "{change:?}");
+    let text = tiny + &CHANNELS.replacen(change[0], change[1], 1);
+    std::fs::write(folder.join(name), text).unwrap();
+}
+
+fn eval(folder: &Path, profile: &str, line: &str) -> (Option<i32>, String) {
+    let mut child = guardbit()
+        .args(["eval", profile])
+        .current_dir(folder)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(line.as_bytes()).unwrap();
+    let output = child.wait_with_output().unwrap();
+    (output.status.code(), String::from_utf8(output.stdout).unwrap())
+}
+
+/// Clauses CH-2 to CH-5 at one sample, by hand: the triangle (0, 0), (8, 0), (0, 8) in halves of a pixel,
+/// sample (1, 1) of pixel (0, 0) has weights 6/8, 1/8, 1/8.
+#[test]
+fn eval_answers_with_codes() {
+    let home = tempfile::tempdir().unwrap();
+    profile(home.path(), "p.toml", ["", ""]);
+    let line = r#"{"v":[[0,0],[8,0],[0,8]],"q":[255,128,64],"channels":{"color":[[0,8],[8,8],[16,8]],"texcoord":[[0,0],[80,0],[0,160]],"detail":[[40],[40],[40]],"face":[[1],[2],[3]]}}"#;
+    let (status, out) = eval(home.path(), "p.toml", line);
+    assert_eq!(status, Some(0), "{out}");
+    let answer: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(answer["rows"], serde_json::json!([[0, 0, 3], [1, 0, 2], [2, 0, 1]]));
+    let first = |name: &str| answer["channels"][name][0].clone();
+    // 0 6/8 + 8/8 + 16/8 = 3.
+    assert_eq!(first("color"), serde_json::json!([3, 8]));
+    // 80 128 / (6 255 + 128 + 64) = 5.95; 160 64 / 1722 = 5.95.
+    assert_eq!(first("texcoord"), serde_json::json!([6, 6]));
+    assert_eq!(first("detail"), serde_json::json!([40]));
+    assert_eq!(first("face"), serde_json::json!([3]));
+    let real = r#"{"f":[[0,0],[4,0],[0,4]],"w":[1,2,4],"channels":{"color":[[0,0],[1,0],[0,1]],"texcoord":[[0,0],[1,0],[0,1]],"detail":[[0.5],[0.5],[0.5]],"face":[[0],[0],[1]]}}"#;
+    let (status, out) = eval(home.path(), "p.toml", real);
+    assert!(status == Some(0) && out.contains(r#""face": [[255]"#), "{out}");
+    for (line, want) in [
+        (line.replace("255,128,64", "255,128,0"), "vertex 2: q = 0: 1 <= q <= 255"),
+        (line.replace(r#""q":[255,128,64],"#, ""), "each vertex needs its 1/w"),
+        (line.replace("[80,0]", "[80,256]"), "v = 256: 0 <= v <= 255"),
+        (line.replace(r#""face":"#, r#""fase":"#), "channel \\\"fase\\\" is unknown"),
+        (line.replace("[[40],[40],[40]]", "[[4,0],[4,0],[4,0]]"), "2 components are given"),
+        (real.replace("[1,2,4]", "[1,-2,4]"), "vertex 1: w = -2: 0 < w"),
+    ] {
+        let (status, out) = eval(home.path(), "p.toml", &line);
+        assert!(status == Some(2) && out.contains(want), "{want}: {out}");
+    }
+    let (status, out) = eval(home.path(), "tiny", line);
+    assert!(status == Some(2) && out.contains("has no [[channel]]"), "{out}");
+}
+
+/// Clauses CH-13 and CH-15: the words of a set are those of the planes of its own vertices, and dumps of
+/// typical faults are called by name.
+#[test]
+fn a_set_has_channels_and_names_their_faults() {
+    let home = tempfile::tempdir().unwrap();
+    let vectors = |name: &str| {
+        let line = format!("vectors {name}.toml --scene fan --count 4000 --out {name}");
+        run_in(home.path(), &line).ends(0)
+    };
+    profile(home.path(), "set.toml", ["", ""]);
+    vectors("set");
+    run_in(home.path(), "verify set --recompute").ends(0);
+    let rows =
+        |file: &str| tv_rows(&std::fs::read_to_string(home.path().join("set").join(file)).unwrap());
+    let (cfg, setup) = (rows("channel.cfg.tv"), rows("channel-setup.exp.tv"));
+    assert_eq!(cfg.len(), setup.len());
+    let mut planes = 0;
+    for (given, words) in cfg.iter().zip(&setup) {
+        // test, then a vertex: x y q, r g, u v, u, id.
+        let vertex = |n: usize| given[1 + 9 * n..][..9].to_vec();
+        let v = [0, 1, 2].map(|n| vertex(n).into_iter().map(u128::cast_signed).collect::<Vec<_>>());
+        let area =
+            (v[1][0] - v[0][0]) * (v[2][1] - v[0][1]) - (v[2][0] - v[0][0]) * (v[1][1] - v[0][1]);
+        if area == 0 {
+            assert!(words[1..].iter().all(|word| *word == 0));
+            continue;
+        }
+        // w_dx, the change of q to the right: 2 sub-pixels a pixel, 8 bits below the point.
+        let rise = |part: usize| {
+            let (one, two) = (v[1][part] - v[0][part], v[2][part] - v[0][part]);
+            one * (v[2][1] - v[0][1]) - two * (v[1][1] - v[0][1])
+        };
+        let exact = guardbit::exact::ratio(rise(2) << (1 + 8), area).unwrap();
+        let nearest = guardbit::exact::round(&exact, guardbit::bits::Rounding::NearestEven);
+        let nearest = i128::try_from(nearest).unwrap();
+        assert_eq!(words[2], nearest.cast_unsigned() & 0x1_ffff, "{given:?}");
+        planes += 1;
+    }
+    assert!(planes > 100, "{planes}");
+    for (file, change, cause) in [
+        (
+            "detail",
+            ["refine = { newton = { bits = [14] } }\n", ""],
+            "the last Newton step is missing",
+        ),
+        ("detail", ["operand = 12", "operand = 11"], "the operand has 11 bits"),
+        ("texcoord", ["{ quotient = ", "{ constant-w = "], "w is constant along a span"),
+        (
+            "texcoord",
+            ["correction = { quotient", "at = \"corner\"\ncorrection = { quotient"],
+            "at is corner",
+        ),
+        ("color", ["start-bias = \"half\"\n", ""], "start-bias is none"),
+        ("face", ["\"last\"", "\"first\""], "the first vertex is provoking"),
+    ] {
+        let _ = std::fs::remove_dir_all(home.path().join("other"));
+        profile(home.path(), "other.toml", change);
+        vectors("other");
+        let line = format!("verify set --dut other/channel-{file}.exp.tv");
+        let ran = run_in(home.path(), &line).ends(1);
+        let want = format!("likely cause: channel {file}: {cause}");
+        assert!(ran.out.contains(&want) && ran.out.contains("placed: interpolator"), "{}", ran.out);
+    }
+    run_in(home.path(), "export set.toml --as c").complains(2, &["no reference", "channels"]);
+}
