@@ -9,6 +9,7 @@
 //! decided; but only `+ - * /`, `sqrt` and `floor`, which IEEE 754 rounds alike everywhere, so that
 //! a scene is the same on every machine.
 
+mod attributes;
 pub mod builtin;
 pub mod camera;
 mod lens;
@@ -21,6 +22,7 @@ mod sine;
 
 use std::path::Path;
 
+pub use attributes::{AttributeSet, Attributes};
 pub use builtin::builtin_names;
 pub use lens::Lens;
 #[cfg(feature = "verification")]
@@ -110,6 +112,8 @@ pub struct Scene {
     pub dropped: usize,
     /// The camera's planes, where the scene was seen through one.
     pub lens: Option<Lens>,
+    /// What its vertices carry.
+    pub attributes: Attributes,
 }
 
 /// Why a scene could not be loaded.
@@ -140,6 +144,20 @@ pub enum SceneError {
         path: String,
         /// What the system said.
         source: std::io::Error,
+    },
+    /// A file of a format that is not read.
+    #[error("{path}: this is a {format} file, which is not read; export it as an OBJ mesh")]
+    Format {
+        /// The path as it was given.
+        path: String,
+        /// The format by its name.
+        format: &'static str,
+    },
+    /// An OBJ mesh under another name.
+    #[error("{path}: this is an OBJ mesh; meshes are read from files that end in .obj: rename it")]
+    NamedOtherwise {
+        /// The path as it was given.
+        path: String,
     },
     /// The file is not text.
     #[error(
@@ -205,23 +223,32 @@ pub fn load(source: &str, viewport: &Viewport) -> Result<Scene, SceneError> {
     }
     let path = || source.to_owned();
     let bytes = read(source)?;
-    let (triangles, dropped, lens) = if has_extension(source, &["obj"]) {
+    let (triangles, dropped, lens, attributes) = if has_extension(source, &["obj"]) {
         // Comments and material names may be in any encoding; numbers never are.
-        let seen = mesh::parse(&String::from_utf8_lossy(&bytes))
-            .and_then(|mesh| camera::view(&mesh, viewport).ok_or(MeshError::NoExtent))
-            .map_err(|source| SceneError::Mesh { path: path(), source })?;
-        (seen.triangles, seen.dropped, Some(seen.lens))
+        let failed = |source| SceneError::Mesh { path: path(), source };
+        let mesh = mesh::parse(&String::from_utf8_lossy(&bytes)).map_err(failed)?;
+        let seen = camera::view(&mesh.triangles, viewport);
+        let seen = seen.ok_or_else(|| failed(MeshError::NoExtent))?;
+        let sets = mesh.sets.iter().map(|set| set.of(&seen.kept)).collect();
+        let dropped = mesh.triangles.len() - seen.kept.len();
+        (seen.triangles, dropped, Some(seen.lens), Attributes { w: seen.w, sets })
     } else {
+        if let Some(format) = foreign(source, &bytes) {
+            return Err(SceneError::Format { path: path(), format });
+        }
+        if is_obj(&bytes) {
+            return Err(SceneError::NamedOtherwise { path: path() });
+        }
         let text = std::str::from_utf8(&bytes).map_err(|error| SceneError::Encoding {
             path: path(),
             line: 1 + bytes.iter().take(error.valid_up_to()).filter(|&&b| b == b'\n').count(),
         })?;
-        (json_lines(text, source)?, 0, None)
+        (json_lines(text, source)?, 0, None, Attributes::default())
     };
     if triangles.is_empty() && dropped == 0 {
         return Err(SceneError::Empty { path: path() });
     }
-    Ok(Scene { name: path(), triangles, dropped, lens })
+    Ok(Scene { name: path(), triangles, dropped, lens, attributes })
 }
 
 #[cfg(feature = "verification")]
@@ -249,6 +276,32 @@ fn read(source: &str) -> Result<Vec<u8>, SceneError> {
             SceneError::Io { path: source.to_owned(), source: error }
         }
     })
+}
+
+/// Formats of geometry and pictures by their first bytes and their endings.
+const FOREIGN: [(&str, &[u8], &[&str]); 8] = [
+    ("binary glTF", b"glTF", &["glb"]),
+    ("glTF", b"{\"asset\"", &["gltf"]),
+    ("PLY", b"ply", &["ply"]),
+    ("STL", b"solid ", &["stl"]),
+    ("FBX", b"Kaydara FBX", &["fbx"]),
+    ("COLLADA", b"<?xml", &["dae"]),
+    ("PNG", b"\x89PNG", &["png"]),
+    ("ZIP", b"PK\x03\x04", &["zip", "3mf", "usdz"]),
+];
+
+/// The format of a file that is not read.
+fn foreign(source: &str, bytes: &[u8]) -> Option<&'static str> {
+    let found = FOREIGN.iter().find(|(_, first, ends)| {
+        bytes.starts_with(first) || (!bytes.starts_with(b"{") && has_extension(source, ends))
+    });
+    found.map(|(name, ..)| *name)
+}
+
+/// Whether a text has the statements of an OBJ mesh.
+fn is_obj(bytes: &[u8]) -> bool {
+    let lines = || bytes.split(|byte| *byte == b'\n').take(1 << 16);
+    lines().any(|line| line.starts_with(b"v ")) && lines().any(|line| line.starts_with(b"f "))
 }
 
 fn has_extension(source: &str, known: &[&str]) -> bool {
@@ -341,6 +394,22 @@ mod tests {
         let (_keep, path) = file("c.obj", b"v 1 1 1\nf 1 1 1\n");
         let message = load(&path, &VIEW).unwrap_err().to_string();
         assert!(message.contains("same point"), "{message}");
+    }
+
+    #[test]
+    fn other_formats_are_named() {
+        for (name, content, want) in [
+            ("a.ply", &b"ply\nformat ascii 1.0\n"[..], "PLY file"),
+            ("a.mesh", b"glTF\x02\0\0\0", "binary glTF file"),
+            ("a.gltf", b" {\"asset\": {}}", "glTF file"),
+            ("a.stl", &[0; 84], "STL file"),
+            ("a.jsonl", b"\x89PNG\r\n", "PNG file"),
+            ("mesh", b"# a mesh\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "end in .obj: rename it"),
+        ] {
+            let (_keep, path) = file(name, content);
+            let message = load(&path, &VIEW).unwrap_err().to_string();
+            assert!(message.starts_with(&path) && message.contains(want), "{message}");
+        }
     }
 
     #[test]

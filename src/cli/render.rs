@@ -1,6 +1,8 @@
 //! `guardbit render`: a scene as a PNG.
 #![allow(clippy::cast_precision_loss, reason = "colours need no more than a few digits")]
 
+mod channel;
+
 use super::Outcome;
 use super::failure::Failure;
 use super::output::{Output, write_whole};
@@ -26,6 +28,12 @@ pub(crate) struct Arguments {
     /// What the picture shows.
     #[arg(long, value_enum, default_value_t = Show::Image)]
     show: Show,
+    /// The channel that --show channel and --show checker show; by default the first one.
+    #[arg(long, value_name = "NAME")]
+    channel: Option<String>,
+    /// Squares of --show checker.
+    #[arg(long, default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    squares: u32,
     /// The PNG file.
     #[arg(long, value_name = "FILE", default_value = "guardbit.png")]
     out: PathBuf,
@@ -52,6 +60,10 @@ enum Show {
     /// The worst depth error in each pixel, from blue (0) to red (the worst of the picture). A missing
     /// sample is white, an extra sample is magenta.
     Error,
+    /// A channel of the nearest surface: one component is grey, others are red, green and blue.
+    Channel,
+    /// A checkerboard by the first two components of a channel: --squares on the way from code 0 to the unit.
+    Checker,
 }
 
 pub(crate) type Colour = [u8; 3];
@@ -124,9 +136,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         let hint = "choose a smaller --window or --zoom";
         return Err(Failure::input("a picture has at most 2^26 pixels").hint(hint));
     }
-    let scene = sets::snap_scene(&profile, &arguments.scene)?;
+    if matches!(arguments.show, Show::Channel | Show::Checker) {
+        profile.multisample = None;
+    }
     let view = View { scissor: arguments.scissor, ..View::default() };
     let model = Model::with_view(&profile, view).map_err(Failure::input)?;
+    let paint = channel::Paint::new(&profile, arguments)?;
     let pixels = width as usize * height as usize;
     let mut canvas = Canvas {
         width,
@@ -135,21 +150,25 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         hits: vec![0; pixels],
         worst: vec![None; pixels],
     };
-    let summary = if arguments.show == Show::Error {
-        draw_errors(&model, &scene.triangles, &mut canvas)
+    let (name, triangles, summary) = if let Some(paint) = paint {
+        paint.draw(&model, &arguments.scene, &mut canvas)?
     } else {
-        draw(&model, &scene.triangles, &mut canvas)
+        let scene = sets::snap_scene(&profile, &arguments.scene)?;
+        let summary = if arguments.show == Show::Error {
+            draw_errors(&model, &scene.triangles, &mut canvas)
+        } else {
+            draw(&model, &scene.triangles, &mut canvas)
+        };
+        (scene.name, scene.triangles.len(), summary)
     };
     colour(arguments.show, &mut canvas);
     write_png(arguments, &canvas, (width, height), zoom)?;
     let mut output = Output::new();
     output.line(format!(
-        "{}: {} x {}, {} triangles of {}, {summary}",
+        "{}: {} x {}, {triangles} triangles of {name}, {summary}",
         arguments.out.display(),
         width * zoom,
         height * zoom,
-        scene.triangles.len(),
-        scene.name
     ))?;
     output.flush()?;
     Ok(Outcome::Good)
@@ -215,18 +234,18 @@ fn lit(model: &Model, triangle: &Triangle) -> Colour {
     // Half of the light comes from everywhere, so that no side drowns.
     let light = if facing.is_finite() { 0.5 + 0.5 * facing.clamp(-1.0, 1.0) } else { 0.5 };
     [[70.0, 150.0], [84.0, 150.0], [104.0, 145.0]]
-        .map(|[dark, range]| channel(dark * 0.6 + range * light))
+        .map(|[dark, range]| part(dark * 0.6 + range * light))
 }
 
-/// A colour channel; the clamp makes the conversion exact.
+/// A part of a colour; the clamp makes the conversion exact.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped to 0..=255")]
-fn channel(value: f64) -> u8 {
+fn part(value: f64) -> u8 {
     value.clamp(0.0, 255.0) as u8
 }
 
 fn colour(show: Show, canvas: &mut Canvas) {
     match show {
-        Show::Image => {}
+        Show::Image | Show::Channel | Show::Checker => {}
         Show::Depth => {
             let seen = || canvas.depth.iter().flatten().copied();
             let (low, high) = (seen().min().unwrap_or(0), seen().max().unwrap_or(0));
@@ -234,7 +253,7 @@ fn colour(show: Show, canvas: &mut Canvas) {
             for (pixel, depth) in canvas.colour.iter_mut().zip(&canvas.depth) {
                 if let Some(depth) = depth {
                     let far = (depth - low) as f64 / range;
-                    *pixel = [channel(255.0 - 225.0 * far); 3];
+                    *pixel = [part(255.0 - 225.0 * far); 3];
                 }
             }
         }
@@ -266,8 +285,8 @@ fn colour(show: Show, canvas: &mut Canvas) {
 
 /// Blue over green to red.
 fn heat(value: f64) -> Colour {
-    let hump = |centre: f64| channel(300.0 - 600.0 * (value - centre).abs());
-    [hump(1.0).max(channel(60.0 * value)), hump(0.5), hump(0.0).max(30)]
+    let hump = |centre: f64| part(300.0 - 600.0 * (value - centre).abs());
+    [hump(1.0).max(part(60.0 * value)), hump(0.5), hump(0.0).max(30)]
 }
 
 fn write_png(

@@ -44,6 +44,11 @@ pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<SnappedScene
     if let Some(first) = first {
         eprintln!("note: {source}: {refused} triangles are left out; the first reason: {first}");
     }
+    Ok(SnappedScene { name: short_name(source), triangles, refused })
+}
+
+/// The name of a scene: that of its file, without folder and ending.
+pub(crate) fn short_name(source: &str) -> String {
     let stem = Path::new(source).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    Ok(SnappedScene { name: stem.unwrap_or_else(|| source.to_owned()), triangles, refused })
+    stem.unwrap_or_else(|| source.to_owned())
 }

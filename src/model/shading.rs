@@ -3,7 +3,7 @@
 use super::Model;
 use super::primitive::{Kind, Primitive, PrimitiveError};
 use crate::bits::Rounding;
-use crate::scene::Shading;
+use crate::scene::{Attributes, Shading};
 use crate::setup::snap_f64;
 use crate::value::{AttributeConfig, InverseWConfig, ValueError, VertexValues};
 
@@ -22,6 +22,38 @@ impl Model {
             Kind::Triangle(triangle) => Kind::Shaded(triangle, values),
             other => other,
         }))
+    }
+
+    /// The codes of a scene's triangle, each channel from the values of its `source`.
+    ///
+    /// # Errors
+    /// [`PrimitiveError`] for values that the scene does not have, or that do not go with the channels.
+    pub fn scene_values(
+        &self,
+        attributes: &Attributes,
+        triangle: usize,
+    ) -> Result<VertexValues, PrimitiveError> {
+        let mut channels = Vec::new();
+        for config in &self.profile.channel {
+            let (channel, from) = (config.name.clone(), config.source());
+            let Some(set) = attributes.sets.iter().find(|set| set.name == from) else {
+                let names: Vec<_> = attributes.sets.iter().map(|set| set.name).collect();
+                let known = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
+                return Err(ValueError::NoSet { channel, from: from.to_owned(), known }.into());
+            };
+            let (need, got) = (config.components.len(), set.components);
+            if need > got {
+                return Err(ValueError::Narrow { channel, need, got }.into());
+            }
+            let values: Vec<[f64; 3]> = (0..need).map(|k| set.at(triangle, k)).collect();
+            if let Some(place) = &set.missing
+                && values.iter().flatten().any(|value| value.is_nan())
+            {
+                return Err(ValueError::Absent { channel, place: place.clone() }.into());
+            }
+            channels.push((channel, values));
+        }
+        self.shading(&Shading::Reals { channels, w: attributes.w.get(triangle).copied() })
     }
 
     /// The codes of what vertices bring: integers are checked, reals are multiplied by the channel's unit

@@ -11,7 +11,7 @@ mod terrain;
 
 use super::camera::View;
 use super::mesh::Point;
-use super::{Scene, Triangle, Viewport, camera};
+use super::{Attributes, Scene, Triangle, Viewport, camera};
 
 /// Name and one-line description of each.
 const NAMES: [(&str, &str); 6] = [
@@ -50,13 +50,16 @@ pub(super) fn make(name: &str, viewport: &Viewport) -> Option<Scene> {
         "terrain" => return in_perspective(name, &terrain::mesh(), viewport),
         _ => return None,
     };
-    Some(Scene { name: name.to_owned(), triangles: flat, dropped: 0, lens: None })
+    let attributes = Attributes::default();
+    Some(Scene { name: name.to_owned(), triangles: flat, dropped: 0, lens: None, attributes })
 }
 
 /// No mesh here is without extent, so the camera always frames it.
 fn in_perspective(name: &str, mesh: &[[Point; 3]], viewport: &Viewport) -> Option<Scene> {
-    let View { triangles, dropped, lens } = camera::view(mesh, viewport)?;
-    Some(Scene { name: name.to_owned(), triangles, dropped, lens: Some(lens) })
+    let View { triangles, kept, w, lens } = camera::view(mesh, viewport)?;
+    let dropped = mesh.len() - kept.len();
+    let attributes = Attributes { w, sets: Vec::new() };
+    Some(Scene { name: name.to_owned(), triangles, dropped, lens: Some(lens), attributes })
 }
 
 fn triangle(viewport: &Viewport) -> Triangle {

@@ -128,16 +128,12 @@ impl Camera {
         Lens { near: self.near * self.size, far: self.far * self.size }
     }
 
-    /// The triangles that lie in front of the near plane, and how many do not.
-    pub fn draw(&self, mesh: &[[Point; 3]]) -> (Vec<Triangle>, usize) {
-        let triangles: Vec<_> = mesh
-            .iter()
-            .filter_map(|&[a, b, c]| {
-                Some(Triangle::real([self.project(a)?, self.project(b)?, self.project(c)?]))
-            })
-            .collect();
-        let dropped = mesh.len() - triangles.len();
-        (triangles, dropped)
+    /// The triangles that lie in front of the near plane, and their numbers in the mesh.
+    pub fn draw(&self, mesh: &[[Point; 3]]) -> (Vec<Triangle>, Vec<usize>) {
+        let seen = mesh.iter().enumerate().filter_map(|(n, &[a, b, c])| {
+            Some((Triangle::real([self.project(a)?, self.project(b)?, self.project(c)?]), n))
+        });
+        seen.unzip()
     }
 }
 
@@ -146,8 +142,10 @@ impl Camera {
 pub struct View {
     /// The triangles in front of the near plane.
     pub triangles: Vec<Triangle>,
-    /// How many are not.
-    pub dropped: usize,
+    /// Their numbers in the mesh.
+    pub kept: Vec<usize>,
+    /// The distance of each of their vertices from the eye, in half sides of the bounding box.
+    pub w: Vec<[f64; 3]>,
     /// The camera's planes.
     pub lens: Lens,
 }
@@ -155,8 +153,9 @@ pub struct View {
 /// A mesh in the window, framed; nothing where it has no extent. See [`Camera::draw`].
 pub fn view(mesh: &[[Point; 3]], viewport: &Viewport) -> Option<View> {
     let camera = Camera::frame(mesh, viewport)?;
-    let (triangles, dropped) = camera.draw(mesh);
-    Some(View { triangles, dropped, lens: camera.lens() })
+    let (triangles, kept) = camera.draw(mesh);
+    let w = kept.iter().map(|n| mesh[*n].map(|point| camera.seen(point)[2])).collect();
+    Some(View { triangles, kept, w, lens: camera.lens() })
 }
 
 /// On the plane at distance 1.
@@ -279,13 +278,13 @@ mod tests {
     fn what_is_behind_the_near_plane_is_dropped_and_counted() {
         let mesh = cuboid([-1.0; 3], [1.0; 3]);
         let camera = Camera::frame(&mesh, &WINDOW).unwrap();
-        assert_eq!(camera.draw(&mesh).1, 0);
+        assert_eq!(camera.draw(&mesh).1.len(), mesh.len());
         let eye = times(DISTANCE, unit(VIEW));
         let behind = times(2.0, eye);
         let odd =
             [[[0.0; 3], [1.0; 3], behind], [[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]], [eye; 3]];
-        let (kept, dropped) = camera.draw(&odd);
-        assert_eq!((kept.len(), dropped), (1, 2));
+        let (triangles, kept) = camera.draw(&odd);
+        assert_eq!((triangles.len(), kept.len()), (1, 1));
         assert_eq!(camera.project([f64::NAN; 3]), None);
     }
 

@@ -1,139 +1,163 @@
-//! OBJ meshes: vertex positions and faces, everything else passed over.
+//! OBJ meshes: faces, and the positions, texture coordinates, normals and colours of their corners.
+//! Everything else is passed over.
 //!
 //! Read by hand rather than with the `obj` crate: that reads positions as binary32, turns an index
 //! out of range into a huge one without an error, counts lines from 0, and forgets on which line a
 //! face stood.
 
+mod error;
+mod face;
+
+pub use error::MeshError;
+
+use super::AttributeSet;
+use face::{Crossing, triangles};
+
 /// A point in the mesh's own units.
 pub type Point = [f64; 3];
 
-/// Why a mesh cannot be read. Lines count from 1; a continued line has the number of its start.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum MeshError {
-    /// A vertex with too few coordinates.
-    #[error("line {line}: `v` has {got} coordinates, 3 are needed: x y z")]
-    Short {
-        /// Line number.
-        line: usize,
-        /// How many there are.
-        got: usize,
-    },
-    /// A coordinate that is no number.
-    #[error("line {line}: field `{field}` of `v`: `{text}` is not a number")]
-    NotNumber {
-        /// Line number.
-        line: usize,
-        /// x, y or z.
-        field: &'static str,
-        /// What stands there.
-        text: String,
-    },
-    /// A coordinate that is infinite, no number by intent, or too large for a double.
-    #[error(
-        "line {line}: field `{field}` of `v`: `{text}` is not finite, |{field}| < 2^1024 is needed; \
-         remove the vertex and its faces, or export the mesh again"
-    )]
-    NotFinite {
-        /// Line number.
-        line: usize,
-        /// x, y or z.
-        field: &'static str,
-        /// What stands there.
-        text: String,
-    },
-    /// A face of fewer than three corners.
-    #[error("line {line}: `f` has {got} corners, at least 3 are needed")]
-    Corners {
-        /// Line number.
-        line: usize,
-        /// How many there are.
-        got: usize,
-    },
-    /// A corner that is no index.
-    #[error(
-        "line {line}: corner {corner} of `f`: `{text}` does not begin with a vertex index; \
-         write 5, 5/1, 5//2 or 5/1/2"
-    )]
-    NotIndex {
-        /// Line number.
-        line: usize,
-        /// Which corner, from 1.
-        corner: usize,
-        /// What stands there.
-        text: String,
-    },
-    /// An index without a vertex.
-    #[error(
-        "line {line}: corner {corner} of `f`: there is no vertex with index {index}; 1 <= index <= \
-         {vertices} is needed, or -{vertices} <= index <= -1 to count back from the last vertex"
-    )]
-    OutOfRange {
-        /// Line number.
-        line: usize,
-        /// Which corner, from 1.
-        corner: usize,
-        /// The index as it is written.
-        index: i64,
-        /// Vertices it may name: all of the file, or those above when it counts back.
-        vertices: usize,
-    },
-    /// Nothing to draw.
-    #[error(
-        "no faces: the mesh has {vertices} vertices but no `f` line; export the mesh with its faces"
-    )]
-    NoFaces {
-        /// How many vertices there are.
-        vertices: usize,
-    },
-    /// All corners in one place, so that no camera can frame them.
-    #[error(
-        "all faces lie in the same point; the mesh needs an extent > 0 to fit it to the window"
-    )]
-    NoExtent,
+/// A mesh: triangles, and what their corners carry.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mesh {
+    /// The triangles, in file order.
+    pub triangles: Vec<[Point; 3]>,
+    /// Texture coordinates, normals and colours, where the file has any.
+    pub sets: Vec<AttributeSet>,
 }
 
-/// The triangles of a mesh in file order; a polygon becomes a fan from its first corner.
-///
-/// A fan is the polygon only where that is convex; export other meshes as triangles.
+/// The kinds of values that a corner refers to, in the order in which it does.
+const REFERRED: [(&str, &str); 3] =
+    [("v", "vertex"), ("vt", "texture coordinate"), ("vn", "normal")];
+
+/// Reads an OBJ mesh; a face of more than three corners becomes triangles that cover it once.
 ///
 /// # Errors
 /// [`MeshError`], with line and field.
-pub fn parse(text: &str) -> Result<Vec<[Point; 3]>, MeshError> {
-    let mut vertices = Vec::new();
+pub fn parse(text: &str) -> Result<Mesh, MeshError> {
+    let mut listed = Listed::default();
     let mut faces = Vec::new();
     for (line, statement) in statements(text) {
         let mut words = statement.split_whitespace();
         match words.next() {
-            Some("v") => vertices.push(vertex(line, words)?),
-            Some("f") => faces.push((line, face(line, words, vertices.len())?)),
+            Some("v") => listed.vertex(line, words)?,
+            Some("vt") => {
+                let [u, v] = numbers(line, "vt", ["u", "v"], ("2: u v", words))?;
+                listed.textures.push([u, v]);
+            }
+            Some("vn") => {
+                let normal = numbers(line, "vn", ["x", "y", "z"], ("3: x y z", words))?;
+                listed.normals.push(normal);
+            }
+            Some("f") => faces.push((line, face(line, words, listed.counts())?)),
             _ => {}
         }
     }
     if faces.is_empty() {
-        return Err(MeshError::NoFaces { vertices: vertices.len() });
+        return Err(MeshError::NoFaces { vertices: listed.points.len() });
     }
-    let mut triangles = Vec::new();
+    let mut mesh = Mesh { triangles: Vec::new(), sets: listed.sets() };
     for (line, corners) in faces {
-        let found = corners
-            .iter()
-            .enumerate()
-            .map(|(corner, &(index, written))| {
-                vertices.get(index).copied().ok_or(MeshError::OutOfRange {
-                    line,
-                    corner: corner + 1,
-                    index: written,
-                    vertices: vertices.len(),
-                })
-            })
-            .collect::<Result<Vec<Point>, _>>()?;
-        if let [first, rest @ ..] = found.as_slice() {
-            triangles.extend(rest.windows(2).filter_map(|pair| match pair {
-                [second, third] => Some([*first, *second, *third]),
-                _ => None,
-            }));
+        listed.check(line, &corners)?;
+        let points: Vec<Point> =
+            corners.iter().map(|corner| listed.points[corner.places[0]]).collect();
+        let found = triangles(&points).map_err(|Crossing([one, two])| MeshError::Crosses {
+            line,
+            one: one + 1,
+            two: two + 1,
+        })?;
+        for triangle in found {
+            mesh.triangles.push(triangle.map(|n| points[n]));
+            for n in triangle {
+                listed.carry(&mut mesh.sets, (line, n + 1), &corners[n]);
+            }
         }
     }
-    Ok(triangles)
+    Ok(mesh)
+}
+
+/// What the statements above list.
+#[derive(Default)]
+struct Listed {
+    points: Vec<Point>,
+    colours: Vec<Option<[f64; 3]>>,
+    textures: Vec<[f64; 2]>,
+    normals: Vec<Point>,
+}
+
+/// A corner of a face: what it refers to, as places in the lists, and as it is written.
+struct Corner {
+    places: [usize; 3],
+    written: [Option<i64>; 3],
+}
+
+impl Listed {
+    fn counts(&self) -> [usize; 3] {
+        [self.points.len(), self.textures.len(), self.normals.len()]
+    }
+
+    /// `x y z`, and a weight, a colour, or both: a weight is passed over, as no flat face needs it.
+    fn vertex<'a>(
+        &mut self,
+        line: usize,
+        words: impl Iterator<Item = &'a str>,
+    ) -> Result<(), MeshError> {
+        let words: Vec<_> = words.collect();
+        let all = words.iter().copied();
+        self.points.push(numbers(line, "v", ["x", "y", "z"], ("3: x y z", all.clone()))?);
+        let colour = match words.len() {
+            6 => Some(all.skip(3)),
+            7 => Some(all.skip(4)),
+            _ => None,
+        };
+        let read = |words| numbers(line, "v", ["r", "g", "b"], ("3 after x y z: r g b", words));
+        self.colours.push(colour.map(read).transpose()?);
+        Ok(())
+    }
+
+    /// The sets that the file has any values for.
+    fn sets(&self) -> Vec<AttributeSet> {
+        let kinds = [
+            ("texcoord", 2, !self.textures.is_empty()),
+            ("normal", 3, !self.normals.is_empty()),
+            ("color", 3, self.colours.iter().any(Option::is_some)),
+        ];
+        let set = |(name, components, _)| AttributeSet {
+            name,
+            components,
+            values: Vec::new(),
+            missing: None,
+        };
+        kinds.into_iter().filter(|(.., given)| *given).map(set).collect()
+    }
+
+    /// Refuses a corner that refers to what the whole file does not have.
+    fn check(&self, line: usize, corners: &[Corner]) -> Result<(), MeshError> {
+        for (n, corner) in corners.iter().enumerate() {
+            for (kind, count) in self.counts().into_iter().enumerate() {
+                if let Some(index) = corner.written[kind].filter(|_| corner.places[kind] >= count) {
+                    let what = REFERRED[kind].1;
+                    return Err(MeshError::OutOfRange { what, line, corner: n + 1, index, count });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Adds what a corner carries to every set.
+    fn carry(&self, sets: &mut [AttributeSet], (line, n): (usize, usize), corner: &Corner) {
+        for set in sets {
+            let place = |kind: usize| corner.written[kind].map(|_| corner.places[kind]);
+            let (found, what): (Option<&[f64]>, &str) = match set.name {
+                "texcoord" => (place(1).map(|at| &self.textures[at][..]), "texture coordinate"),
+                "normal" => (place(2).map(|at| &self.normals[at][..]), "normal"),
+                _ => (self.colours[corner.places[0]].as_ref().map(|c| &c[..]), "colour"),
+            };
+            if found.is_none() && set.missing.is_none() {
+                set.missing = Some(format!("line {line}: corner {n} of `f` has no {what}"));
+            }
+            set.values.extend(found.unwrap_or(&[f64::NAN; 3][..set.components]));
+        }
+    }
 }
 
 /// Statements with the number of their first line: comments cut, lines ending in `\` joined.
@@ -156,50 +180,62 @@ fn uncommented(line: &str) -> &str {
     line.split('#').next().unwrap_or_default().trim()
 }
 
-fn vertex<'a>(line: usize, words: impl Iterator<Item = &'a str>) -> Result<Point, MeshError> {
-    // What follows z is a weight or a colour, which no surface made of flat faces needs.
-    let words: Vec<_> = words.take(3).collect();
-    let [x, y, z] = words.as_slice() else {
-        return Err(MeshError::Short { line, got: words.len() });
-    };
-    let read = |field, text: &str| match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        Ok(_) => Err(MeshError::NotFinite { line, field, text: text.to_owned() }),
-        Err(_) => Err(MeshError::NotNumber { line, field, text: text.to_owned() }),
-    };
-    Ok([read("x", x)?, read("y", y)?, read("z", z)?])
+/// The first numbers of a statement; more may follow.
+fn numbers<'a, const N: usize>(
+    line: usize,
+    statement: &'static str,
+    fields: [&'static str; N],
+    (need, words): (&'static str, impl Iterator<Item = &'a str>),
+) -> Result<[f64; N], MeshError> {
+    let words: Vec<_> = words.take(N).collect();
+    let mut read = [0.0; N];
+    if words.len() < N {
+        return Err(MeshError::Short { line, statement, need, got: words.len() });
+    }
+    for ((slot, field), text) in read.iter_mut().zip(fields).zip(words) {
+        let owned = || text.to_owned();
+        *slot = match text.parse::<f64>() {
+            Ok(value) if value.is_finite() => value,
+            Ok(_) => return Err(MeshError::NotFinite { line, statement, field, text: owned() }),
+            Err(_) => return Err(MeshError::NotNumber { line, statement, field, text: owned() }),
+        };
+    }
+    Ok(read)
 }
 
-/// Positions in the list of vertices, each beside the index as it was written.
+/// The corners of a face: `5`, `5/1`, `5//2` or `5/1/2`.
 fn face<'a>(
     line: usize,
     words: impl Iterator<Item = &'a str>,
-    vertices: usize,
-) -> Result<Vec<(usize, i64)>, MeshError> {
-    let corners = words
-        .enumerate()
-        .map(|(place, text)| {
-            let corner = place + 1;
-            let index: i64 = text
-                .split('/')
-                .next()
-                .and_then(|index| index.parse().ok())
-                .ok_or_else(|| MeshError::NotIndex { line, corner, text: text.to_owned() })?;
+    counts: [usize; 3],
+) -> Result<Vec<Corner>, MeshError> {
+    let corners = words.enumerate().map(|(place, text)| {
+        let corner = place + 1;
+        let wrong = || MeshError::NotIndex { line, corner, text: text.to_owned() };
+        let mut read = Corner { places: [0; 3], written: [None; 3] };
+        for (kind, part) in text.split('/').enumerate() {
+            if kind > 2 || (part.is_empty() && (kind == 0 || text.ends_with('/'))) {
+                return Err(wrong());
+            }
+            if part.is_empty() {
+                continue;
+            }
+            let (index, count): (i64, usize) = (part.parse().map_err(|_| wrong())?, counts[kind]);
             let magnitude = usize::try_from(index.unsigned_abs()).unwrap_or(usize::MAX);
             let position = if index > 0 {
-                // May name a vertex further down; checked when all are read.
+                // May name one further down; checked when all are read.
                 Some(magnitude - 1)
             } else {
-                vertices.checked_sub(magnitude).filter(|_| index < 0)
+                count.checked_sub(magnitude).filter(|_| index < 0)
             };
-            position.map(|position| (position, index)).ok_or(MeshError::OutOfRange {
-                line,
-                corner,
-                index,
-                vertices,
-            })
-        })
-        .collect::<Result<Vec<_>, _>>()?;
+            let what = REFERRED[kind].1;
+            read.written[kind] = Some(index);
+            read.places[kind] =
+                position.ok_or(MeshError::OutOfRange { what, line, corner, index, count })?;
+        }
+        Ok(read)
+    });
+    let corners = corners.collect::<Result<Vec<_>, _>>()?;
     if corners.len() < 3 {
         return Err(MeshError::Corners { line, got: corners.len() });
     }
@@ -222,30 +258,30 @@ mod tests {
     const FOUR: &str = "v 0 0 0\nv 1 0 0\nv 1 1 .5\nv 0 1 1e-1\n";
 
     fn faces(tail: &str) -> Result<Vec<[Point; 3]>, MeshError> {
-        parse(&format!("{FOUR}{tail}"))
+        Ok(parse(&format!("{FOUR}{tail}"))?.triangles)
     }
 
     #[test]
     fn a_polygon_is_a_fan() {
         assert_eq!(faces("f 1 2 3 4").unwrap(), [[A, B, C], [A, C, D]]);
         assert_eq!(faces("f -4 -3 -2 -1").unwrap(), [[A, B, C], [A, C, D]]);
-        assert_eq!(faces("f 1/9 2//9 3/9/9").unwrap(), [[A, B, C]]);
     }
 
     #[test]
     fn other_statements_comments_and_continuations_are_passed_over() {
-        let tail = "mtllib none.mtl\r\nvn 0 0 x\r\ng a\r\nusemtl b\r\ns off\r\nf 1 2 \\\r\n 3 # c \\\r\n\r\nf 2 3 4\\";
+        let tail =
+            "mtllib none.mtl\r\ng a\r\nusemtl b\r\ns off\r\nf 1 2 \\\r\n 3 # c \\\r\n\r\nf 2 3 4\\";
         assert_eq!(faces(tail).unwrap(), [[A, B, C], [B, C, D]]);
     }
 
     #[test]
     fn a_face_may_stand_above_its_vertices() {
-        assert_eq!(parse(&format!("f 1 2 3\n{FOUR}")).unwrap(), [[A, B, C]]);
+        assert_eq!(parse(&format!("f 1 2 3\n{FOUR}")).unwrap().triangles, [[A, B, C]]);
     }
 
     #[test]
     fn binary64_is_kept() {
-        let mesh = parse("v 0.1 1e300 0\nv 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3").unwrap();
+        let mesh = parse("v 0.1 1e300 0\nv 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3").unwrap().triangles;
         assert_eq!(mesh[0][0], [0.1, 1e300, 0.0]);
     }
 
@@ -261,7 +297,13 @@ mod tests {
             let error = faces(&format!("\nf 1 2 {index}\n")).unwrap_err();
             assert_eq!(
                 error,
-                MeshError::OutOfRange { line: 6, corner: 3, index: written, vertices: 4 }
+                MeshError::OutOfRange {
+                    what: "vertex",
+                    line: 6,
+                    corner: 3,
+                    index: written,
+                    count: 4
+                }
             );
             let text = error.to_string();
             assert!(
@@ -271,13 +313,23 @@ mod tests {
         }
         // Counting back reaches only the vertices above.
         let error = parse(&format!("v 0 0 0\nf -1 -1 -2\n{FOUR}")).unwrap_err();
-        assert_eq!(error, MeshError::OutOfRange { line: 2, corner: 3, index: -2, vertices: 1 });
+        let what = "vertex";
+        let (line, corner, index, count) = (2, 3, -2, 1);
+        assert_eq!(error, MeshError::OutOfRange { what, line, corner, index, count });
     }
 
     #[test]
     fn errors_name_line_and_field() {
         for (tail, want) in [
-            ("v 1 2\n", "line 5: `v` has 2 coordinates"),
+            ("v 1 2\n", "line 5: `v` has 2 numbers, but needs 3: x y z"),
+            ("vt 1\n", "line 5: `vt` has 1 numbers, but needs 2: u v"),
+            ("vn 1 2 x\n", "line 5: field `z` of `vn`: `x`"),
+            ("v 1 2 3 4 5 x\n", "line 5: field `b` of `v`: `x`"),
+            ("f 1/1 2 3\n", "line 5: corner 1 of `f`: there is no texture coordinate with index 1"),
+            ("f 1//-1 2 3\n", "line 5: corner 1 of `f`: there is no normal with index -1"),
+            ("f 1/ 2 3\n", "line 5: corner 1 of `f`: `1/`"),
+            ("f 1/1/1/1 2 3\n", "line 5: corner 1"),
+            ("v 2 -1 0\nf 1 3 2 5 4\n", "line 6: `f` crosses itself"),
             ("v 1 2 x\n", "line 5: field `z` of `v`: `x`"),
             ("v 1 nan 2\n", "line 5: field `y` of `v`: `nan` is not finite"),
             ("v 1e999 1 2\n", "line 5: field `x` of `v`: `1e999` is not finite"),
@@ -291,5 +343,27 @@ mod tests {
             let text = faces(tail).unwrap_err().to_string();
             assert!(text.contains(want), "{tail}: {text}");
         }
+    }
+
+    #[test]
+    fn corners_carry_what_they_refer_to() {
+        let text = "v 0 0 0 1 0 0\nv 1 0 0 .5 0 1 0\nv 1 1 .5\nvt 0 0\nvt 1 0 9\nvt .5 1\nvn 0 0 1\n\
+                    f 1/1/1 2/2/-1 3/3\nf 1/3//1 2 3\n";
+        assert!(parse(text).unwrap_err().to_string().contains("line 9: corner 1"));
+        let mesh = parse(&text.replace("1/3//1", "1//1")).unwrap();
+        let names: Vec<_> = mesh.sets.iter().map(|set| (set.name, set.components)).collect();
+        assert_eq!(names, [("texcoord", 2), ("normal", 3), ("color", 3)]);
+        let [texture, normal, colour] = &mesh.sets[..] else { unreachable!("three sets") };
+        assert_eq!([texture.at(0, 0), texture.at(0, 1)], [[0.0, 1.0, 0.5], [0.0, 0.0, 1.0]]);
+        assert!(texture.at(1, 0).iter().all(|u| u.is_nan()));
+        assert_eq!(
+            texture.missing.as_deref(),
+            Some("line 9: corner 1 of `f` has no texture coordinate")
+        );
+        assert_eq!(normal.at(0, 2)[..2], [1.0, 1.0]);
+        assert_eq!(normal.missing.as_deref(), Some("line 8: corner 3 of `f` has no normal"));
+        assert_eq!([colour.at(0, 0)[0], colour.at(0, 1)[1]], [1.0, 1.0]);
+        assert_eq!(colour.at(1, 1)[1], 1.0);
+        assert_eq!(colour.missing.as_deref(), Some("line 8: corner 3 of `f` has no colour"));
     }
 }

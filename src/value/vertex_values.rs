@@ -58,6 +58,36 @@ pub enum ValueError {
         "the channel {0:?} is corrected for perspective, so each vertex needs its 1/w: give \"q\" with `v`, or \"w\" with `f`"
     )]
     NoW(String),
+    /// A scene without these values.
+    #[error(
+        "the scene has no {from:?}, which the channel {channel:?} takes; it has {known}; set `source` of the channel"
+    )]
+    NoSet {
+        /// The channel.
+        channel: String,
+        /// The name of its values in a scene.
+        from: String,
+        /// What the scene has.
+        known: String,
+    },
+    /// A scene with too few numbers at each vertex.
+    #[error("channel {channel:?}: {need} components, but the scene has {got} for each vertex")]
+    Narrow {
+        /// The channel.
+        channel: String,
+        /// Components of the profile.
+        need: usize,
+        /// Numbers of the scene.
+        got: usize,
+    },
+    /// A triangle whose vertices do not all have values.
+    #[error("channel {channel:?}: {place}; give every vertex of the scene a value")]
+    Absent {
+        /// The channel.
+        channel: String,
+        /// The first place without.
+        place: String,
+    },
     /// A real that has no code.
     #[error("channel {channel:?}, vertex {vertex}: {value} is not finite; give a number")]
     Real {

@@ -185,3 +185,58 @@ fn a_set_has_channels_and_names_their_faults() {
     }
     run_in(home.path(), "export set.toml --as c").complains(2, &["no reference", "channels"]);
 }
+
+/// Clauses CH-2 and CH-3: a mesh brings its values to a picture, looked at by its pixels; what it lacks is
+/// named by its line.
+#[test]
+fn pictures_show_channels_of_a_mesh() {
+    let home = tempfile::tempdir().unwrap();
+    let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
+    let color = r#"
+[[channel]]
+name = "color"
+components = ["r", "g", "b"]
+guard = 1
+integer = 8
+interpolation = 8
+rounding = "nearest-even"
+clamp = "guard"
+correction = "affine"
+"#;
+    let texture = color
+        .replace("color", "map")
+        .replace(", \"b\"", "")
+        .replace("[[channel]]", "[[channel]]\nsource = \"texcoord\"");
+    std::fs::write(home.path().join("p.toml"), format!("{tiny}{color}{texture}")).unwrap();
+    let mesh = "v 0 0 0 1 0 .5\nv 9 0 0 1 0 .5\nv 9 9 0 1 0 .5\nv 0 9 0 1 0 .5\n\
+                vt .1 .1\nvt .2 .1\nvt .2 .2\nvt .1 .2\nf 1/1 2/2 3/3 4/4\n";
+    std::fs::write(home.path().join("m.obj"), mesh).unwrap();
+    let render = |rest: &str| {
+        run_in(home.path(), &format!("render p.toml --scene m.obj --zoom 1 --out p.png {rest}"))
+    };
+    let colours = || {
+        let file = std::fs::File::open(home.path().join("p.png")).unwrap();
+        let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        pixels.chunks(3).map(<[u8]>::to_vec).collect::<Vec<_>>()
+    };
+    render("--show channel").ends(0);
+    // 1 is 255; 0.5 is 127.5, which goes to the even 128.
+    let painted = colours().iter().filter(|pixel| **pixel == [255, 0, 128]).count();
+    assert!(painted >= 4 && colours().iter().all(|p| *p == [255, 0, 128] || *p == [24, 26, 32]));
+    render("--show checker --channel map --squares 2").ends(0);
+    // All coordinates lie in the first square.
+    assert!(colours().iter().any(|pixel| *pixel == [222, 214, 190]));
+    assert!(!colours().iter().any(|pixel| *pixel == [40, 44, 60]));
+    render("--show checker --channel none")
+        .complains(2, &["channels of the profile are color, map"]);
+    run_in(home.path(), "render tiny --show channel").complains(2, &["has no channels"]);
+    run_in(home.path(), "render p.toml --scene knot --show channel")
+        .complains(2, &["has no \"color\""]);
+    std::fs::write(home.path().join("m.obj"), mesh.replace("2/2", "2")).unwrap();
+    render("--show channel").complains(2, &["m.obj", "line 9: corner 2 of `f` has no texture"]);
+    std::fs::write(home.path().join("m.obj"), mesh.replace("v 9 9 0 1 0 .5", "v 4 -9 0 1 0 .5"))
+        .unwrap();
+    render("--show channel").complains(2, &["m.obj: line 9: `f` crosses itself"]);
+}

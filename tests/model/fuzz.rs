@@ -25,7 +25,7 @@ fn seeds(target: &str) -> Vec<String> {
             r#"{"words": ["64","64","96","64","64","96","48","48","127","127"]}"#,
         ],
         "scene" => &["{\"v\": [[0,0],[8,0],[0,8]]}\n\n{\"f\": [[0,0,1e300],[4.5,0,0],[0,-4,1]]}\n"],
-        "mesh" => &["v 0 0 0\nv 1e3 0 0\nv 0 1 .5\nv 0 0 1 # a comment\nf 1 2/1 3//2 -1\n"],
+        "mesh" => &["v 0 0 0\nv 1e3 0 0\nv 0 1 .5\nv 0 0 1 # a comment\nf 1 2 3 -1\n"],
         "layout" => &["x:11", "-mode:4@28 rows:11@16 count:11", "a[16]:8@4 %d", "b:32 %8x"],
         "words" => &["64 64 96 64 64 96 48 48 127 127", "0 ffffffff 80000000"],
         "axis" => &["guard=0..2,4", "form=tiles,scanline", "rounding=floor", "edge-width=exact"],
@@ -93,7 +93,7 @@ fn the_seeds_are_read() {
         scene::lines::parse_line(&seed).unwrap();
     }
     scene::lines::parse_scene(&seeds("scene")[0]).unwrap();
-    assert_eq!(scene::mesh::parse(&seeds("mesh")[0]).unwrap().len(), 2);
+    assert_eq!(scene::mesh::parse(&seeds("mesh")[0]).unwrap().triangles.len(), 2);
     Layout::parse(&seeds("layout")).unwrap();
     for seed in seeds("axis") {
         Axis::parse(&seed).unwrap();

@@ -26,7 +26,13 @@ fn base() -> Profile {
 }
 
 fn scene_of(triangles: Vec<scene::Triangle>, lens: Option<Lens>) -> Scene {
-    Scene { name: "case".to_owned(), triangles, dropped: 0, lens }
+    Scene {
+        name: "case".to_owned(),
+        triangles,
+        dropped: 0,
+        lens,
+        attributes: scene::Attributes::default(),
+    }
 }
 
 fn bits(found: &Requirements, field: &str) -> u32 {

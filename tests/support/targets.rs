@@ -72,7 +72,7 @@ pub fn scene(data: &[u8]) {
 pub fn mesh(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
     if let Ok(faces) = mesh::parse(text) {
-        assert!(faces.iter().flatten().flatten().all(|value| value.is_finite()));
+        assert!(faces.triangles.iter().flatten().flatten().all(|value| value.is_finite()));
     }
 }
 
