@@ -7,19 +7,17 @@ use guardbit::profile::BUILTIN;
 use std::path::Path;
 
 /// What is said of a built-in profile that has no reference.
-const REFUSED: [(&str, &str); 4] = [
-    ("voodoo", "the machine is slopes"),
-    ("virge", "the machine is slopes"),
-    ("n64", "the machine is sub-scanlines"),
-    ("n64-rtl", "the machine is sub-scanlines"),
-];
+const REFUSED: [(&str, &str); 2] =
+    [("n64", "the machine is sub-scanlines"), ("n64-rtl", "the machine is sub-scanlines")];
 
 /// What is said of a profile that has a reference, but none in SystemVerilog.
-const NO_SYSTEMVERILOG: [(&str, &str, &str); 4] = [
+const NO_SYSTEMVERILOG: [(&str, &str, &str); 6] = [
     ("ps1", "anchored", "anchored_engine.sv"),
     ("ps1-rtl", "anchored", "anchored_engine.sv"),
     ("vortex", "quads", " quad_engine.sv"),
     ("psp", "quads", "vertex_quad_engine.sv"),
+    ("voodoo", "slopes", "divided_slope_engine.sv"),
+    ("virge", "slopes", "given_slope_engine.sv"),
 ];
 
 // Clause J-8

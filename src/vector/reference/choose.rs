@@ -57,6 +57,15 @@ mod tests {
             "truncated",
             "descent",
             "masks",
+            "registers",
+            "mixed",
+            "scaled",
+            "slopes",
+            "clips",
+            "adjust",
+            "flip",
+            "at_edge",
+            "w_depth",
         ];
         let templates = [
             include_str!("c.in"),
@@ -70,6 +79,8 @@ mod tests {
             include_str!("anchored.py.in"),
             include_str!("quads.c.in"),
             include_str!("quads.py.in"),
+            include_str!("slopes.c.in"),
+            include_str!("slopes.py.in"),
         ];
         for template in templates {
             let mut open = 0;

@@ -4,6 +4,7 @@ mod anchored;
 mod engine;
 mod language;
 mod quads;
+mod slopes;
 
 use super::choose::choose;
 
@@ -21,6 +22,7 @@ use crate::vector::package::{comment, fill};
 use anchored::Anchored;
 use engine::EngineText;
 use quads::Quads;
+use slopes::Slopes;
 
 /// What a text of registers is written of.
 pub(super) struct RegisterText<'a> {
@@ -28,7 +30,8 @@ pub(super) struct RegisterText<'a> {
     model: Model,
     engine: Box<dyn EngineText>,
     rounding: Option<Rounding>,
-    clamp: Clamp,
+    /// The clamps that there are.
+    clamps: Vec<Clamp>,
     channels: Vec<Channel>,
 }
 
@@ -41,7 +44,12 @@ impl<'a> RegisterText<'a> {
         let channels = profile.form.channels().iter().map(crate::value::ChannelConfig::channels);
         let channels: Vec<Channel> =
             channels.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?.concat();
-        let clamp = channels.first().map_or(Clamp::Wrap, |channel| channel.read.clamp());
+        let mut clamps: Vec<Clamp> = Vec::new();
+        for channel in &channels {
+            if !clamps.contains(&channel.read.clamp()) {
+                clamps.push(channel.read.clamp());
+            }
+        }
         let signed = profile.vertex.signed;
         let mut rounding = None;
         let engine: Box<dyn EngineText> = match profile.form.register_device() {
@@ -53,19 +61,23 @@ impl<'a> RegisterText<'a> {
                 }
                 WiredEngine::Anchored => {
                     rounding = Some(device.rounding.ok_or_else(refused)?);
-                    if channels.is_empty()
-                        || channels.iter().any(|channel| channel.read.clamp() != clamp)
-                    {
+                    if clamps.len() != 1 {
                         let why = "with no channels or with several clamps";
                         return Err(format!("{}, {why}", refused()));
                     }
                     Box::new(Anchored { device, channels: channels.clone(), signed })
                 }
-                _ => return Err(refused()),
+                WiredEngine::DividedSlopes | WiredEngine::GivenSlopes => {
+                    if channels.is_empty() {
+                        return Err(format!("{}, with no channels", refused()));
+                    }
+                    Box::new(Slopes::new(device, channels.clone(), &registers.input))
+                }
+                WiredEngine::SubScanlines => return Err(refused()),
             },
             None => return Err(refused()),
         };
-        Ok(Some(Self { profile, model, engine, rounding, clamp, channels }))
+        Ok(Some(Self { profile, model, engine, rounding, clamps, channels }))
     }
 
     /// The digest of random registers.
@@ -102,8 +114,9 @@ impl<'a> RegisterText<'a> {
         let [engine, random, quotient] = parts;
         let template = template.replace("@ENGINE@\n", engine).replace("@RANDOM@\n", random);
         let mut flags = self.engine.flags();
-        flags.push("rich");
-        flags.extend((self.clamp != Clamp::Wrap).then_some("clamped"));
+        flags.extend(["rich", "registers"]);
+        flags.extend((self.clamps != [Clamp::Wrap]).then_some("clamped"));
+        flags.extend((self.clamps.len() > 1).then_some("mixed"));
         flags.extend((!self.channels.is_empty()).then_some("channels"));
         let (low, high) = self.profile.vertex.range();
         let (window, input, record) = (&self.profile.window, self.input(), self.record());
@@ -126,7 +139,11 @@ impl<'a> RegisterText<'a> {
             ("GUARDBIT", env!("CARGO_PKG_VERSION").to_owned()),
             ("VERSION", MODEL_VERSION.to_string()),
             ("DIGEST", sha256(self.profile.to_toml().as_bytes())),
-            ("CLAMP", self.clamp.name().to_owned()),
+            (
+                "CLAMP",
+                self.clamps.iter().map(|clamp| clamp.name()).collect::<Vec<_>>().join(" or "),
+            ),
+            ("COLUMNS", if self.clamps.len() > 1 { "4" } else { "3" }.to_owned()),
             ("COUNT", input.len().to_string()),
             ("LENGTH", record.layout.len().to_string()),
             ("WORD_NAMES", comment(&input.word_names().join(" "))),
@@ -146,11 +163,19 @@ impl<'a> RegisterText<'a> {
         fill(&choose(&template, &flags), &values.collect::<Vec<_>>())
     }
 
-    /// Guard, integer and interpolation bits of the channels between these brackets.
+    /// Guard, integer and interpolation bits of the channels between these brackets, and the number of the clamp
+    /// where there are several.
     fn formats(&self, open: char, close: char) -> String {
         let one = |channel: &Channel| {
             let read = channel.read;
-            format!("{open}{}, {}, {}{close}", read.guard(), read.integer(), read.fraction())
+            let clamp = match read.clamp() {
+                _ if self.clamps.len() < 2 => "",
+                Clamp::Guard | Clamp::Error => ", 1",
+                Clamp::Sign => ", 2",
+                Clamp::Wrap | Clamp::Saturate => ", 0",
+            };
+            let (guard, integer, fraction) = (read.guard(), read.integer(), read.fraction());
+            format!("{open}{guard}, {integer}, {fraction}{clamp}{close}")
         };
         self.channels.iter().map(one).collect::<Vec<_>>().join(", ")
     }

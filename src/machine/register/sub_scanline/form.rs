@@ -47,7 +47,11 @@ impl EngineForm for SubScanlineConfig {
             ("LONG_SIGN", input.find("long_sign").is_some().into()),
             ("DROP_Z", machine.channels.iter().find(depth)?.drop.into()),
         ];
-        Some(RegisterDevice::wired(WiredEngine::SubScanlines, values, machine.clone()))
+        Some(RegisterDevice::wired(
+            WiredEngine::SubScanlines,
+            [values, Vec::new()],
+            machine.clone(),
+        ))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

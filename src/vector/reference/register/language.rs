@@ -44,17 +44,15 @@ impl RegisterText<'_> {
                 parts.iter().map(term).collect::<Vec<_>>().join(" | ")
             )
         });
-        let read = match self.clamp {
-            Clamp::Guard | Clamp::Error => {
+        let read = self.read_out(
+            |number| format!("@P@formats[c][3] == {number} && "),
+            [
                 "    const @P@bits middle = ((@P@bits)1 << (guard + integer - 1)) + (whole >> 1);\n    \
-                 if (u >= whole) return u >= middle ? 0 : (uint64_t)(whole - 1);\n"
-            }
-            Clamp::Sign => {
-                "    if ((acc >> (guard + integer + fraction - 1) & 1) != 0) return 0;\n    \
-                 if (u >= whole) return (uint64_t)(whole - 1);\n"
-            }
-            Clamp::Wrap | Clamp::Saturate => "",
-        };
+                 if (@IF@u >= whole) return u >= middle ? 0 : (uint64_t)(whole - 1);\n",
+                "    if (@IF@(acc >> (guard + integer + fraction - 1) & 1) != 0) return 0;\n    \
+                 if (@IF@u >= whole) return (uint64_t)(whole - 1);\n",
+            ],
+        );
         let engine = self.engine.keys(true);
         let own = engine.iter().map(|(key, value)| (*key, value.as_str()));
         let up = self.rounding.map_or_else(String::new, up);
@@ -122,17 +120,15 @@ impl RegisterText<'_> {
             let term = |(n, p): &(usize, Piece)| p.placed(&values[*n].1, "");
             format!("        {},\n", parts.iter().map(term).collect::<Vec<_>>().join(" | "))
         });
-        let read = match self.clamp {
-            Clamp::Guard | Clamp::Error => {
-                "    if u >= whole:\n        \
-                 return 0 if u >= (1 << guard + integer >> 1) + (whole >> 1) else whole - 1"
-            }
-            Clamp::Sign => {
-                "    if acc >> (guard + integer + fraction - 1) & 1:\n        return 0\n    \
-                 if u >= whole:\n        return whole - 1"
-            }
-            Clamp::Wrap | Clamp::Saturate => "",
-        };
+        let read = self.read_out(
+            |number| format!("clamp == {number} and "),
+            [
+                "    if @IF@u >= whole:\n        \
+                 return 0 if u >= (1 << guard + integer >> 1) + (whole >> 1) else whole - 1\n",
+                "    if @IF@acc >> (guard + integer + fraction - 1) & 1:\n        return 0\n    \
+                 if @IF@u >= whole:\n        return whole - 1\n",
+            ],
+        );
         let engine = self.engine.keys(false);
         let own = engine.iter().map(|(key, value)| (*key, value.as_str()));
         let up = self.rounding.map_or_else(String::new, up);
@@ -150,11 +146,27 @@ impl RegisterText<'_> {
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
-                ("READ_OUT", read),
+                ("READ_OUT", read.trim_end()),
                 ("EXPECTED", &format!("0x{:016X}", self.digest(1, CASES))),
             ])
             .collect::<Vec<_>>(),
         )
+    }
+
+    /// What the clamps that there are make of a read-out, of the lines for `guard` and for `sign`: where there are
+    /// several, each asks first for its own number.
+    fn read_out(&self, asks: impl Fn(u8) -> String, lines: [&str; 2]) -> String {
+        let mut text = String::new();
+        for clamp in &self.clamps {
+            let (number, lines) = match clamp {
+                Clamp::Guard | Clamp::Error => (1, lines[0]),
+                Clamp::Sign => (2, lines[1]),
+                Clamp::Wrap | Clamp::Saturate => continue,
+            };
+            let own = if self.clamps.len() > 1 { asks(number) } else { String::new() };
+            text += &lines.replace("@IF@", &own);
+        }
+        text
     }
 
     /// The words of a record: each with the numbers of its values and where their bits go.

@@ -2,9 +2,11 @@
 
 mod anchored;
 mod quads;
+mod slopes;
 
 pub(in crate::vector::reference) use anchored::Anchored;
 pub(in crate::vector::reference) use quads::{GivenQuads, VertexQuads};
+pub(in crate::vector::reference) use slopes::Slopes;
 
 use super::rich::Cases;
 use super::{Digest, Stimulus};
