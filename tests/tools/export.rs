@@ -27,7 +27,8 @@ const BUILT_IN: [&str; 9] = [
 const ANCHORED: [&str; 2] = ["ps1", "ps1-rtl"];
 
 /// Those that begin at registers: in C, C++ and Python.
-const REGISTERS: [&str; 6] = ["ps1", "ps1-rtl", "vortex", "psp", "voodoo", "virge"];
+const REGISTERS: [&str; 8] =
+    ["ps1", "ps1-rtl", "vortex", "psp", "voodoo", "virge", "n64", "n64-rtl"];
 
 /// Sets a key of a profile, where it first occurs behind the line `table`.
 fn set_in(text: &mut String, table: &str, key: &str, value: &str) {

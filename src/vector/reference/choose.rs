@@ -66,6 +66,10 @@ mod tests {
             "flip",
             "at_edge",
             "w_depth",
+            "kinds",
+            "resize",
+            "signed_distance",
+            "long_sign",
         ];
         let templates = [
             include_str!("c.in"),
@@ -81,6 +85,8 @@ mod tests {
             include_str!("quads.py.in"),
             include_str!("slopes.c.in"),
             include_str!("slopes.py.in"),
+            include_str!("sub-scanlines.c.in"),
+            include_str!("sub-scanlines.py.in"),
         ];
         for template in templates {
             let mut open = 0;

@@ -5,6 +5,7 @@ mod engine;
 mod language;
 mod quads;
 mod slopes;
+mod sub_scanlines;
 
 use super::choose::choose;
 
@@ -23,6 +24,7 @@ use anchored::Anchored;
 use engine::EngineText;
 use quads::Quads;
 use slopes::Slopes;
+use sub_scanlines::SubScanlines;
 
 /// What a text of registers is written of.
 pub(super) struct RegisterText<'a> {
@@ -73,7 +75,9 @@ impl<'a> RegisterText<'a> {
                     }
                     Box::new(Slopes::new(device, channels.clone(), &registers.input))
                 }
-                WiredEngine::SubScanlines => return Err(refused()),
+                WiredEngine::SubScanlines => {
+                    Box::new(SubScanlines { device, channels: channels.clone() })
+                }
             },
             None => return Err(refused()),
         };
@@ -105,9 +109,23 @@ impl<'a> RegisterText<'a> {
         &registers.unwrap_or_else(|| unreachable!("it begins at registers")).input
     }
 
-    fn record(&self) -> &Record {
-        let records = self.model.registers().and_then(|registers| registers.records.first());
-        records.unwrap_or_else(|| unreachable!("a valid profile has records"))
+    /// The kinds of records.
+    fn records(&self) -> &[Record] {
+        self.model.registers().map_or(&[], |registers| &registers.records)
+    }
+
+    /// Words of a record of each kind; where there are several, the kind is a word before the others.
+    fn lengths(&self) -> Vec<usize> {
+        let kind = usize::from(self.records().len() > 1);
+        self.records().iter().map(|record| kind + record.layout.len()).collect()
+    }
+
+    /// What a record consists of.
+    fn record_names(&self) -> String {
+        let names: Vec<String> =
+            self.records().iter().map(|record| record.layout.word_names().join(" ")).collect();
+        let [names] = &*names else { return format!("its kind, and 0: {}", names.join("; 1: ")) };
+        names.clone()
     }
 
     fn fill(&self, template: &str, parts: [&str; 3], own: &[(&str, &str)]) -> String {
@@ -119,9 +137,9 @@ impl<'a> RegisterText<'a> {
         flags.extend((self.clamps.len() > 1).then_some("mixed"));
         flags.extend((!self.channels.is_empty()).then_some("channels"));
         let (low, high) = self.profile.vertex.range();
-        let (window, input, record) = (&self.profile.window, self.input(), self.record());
+        let (window, input) = (&self.profile.window, self.input());
+        let lengths = self.lengths();
         let names: Vec<&str> = self.channels.iter().map(|channel| &*channel.name).collect();
-        let records = record.layout.word_names();
         let quotient = fill(
             quotient,
             &[
@@ -145,9 +163,10 @@ impl<'a> RegisterText<'a> {
             ),
             ("COLUMNS", if self.clamps.len() > 1 { "4" } else { "3" }.to_owned()),
             ("COUNT", input.len().to_string()),
-            ("LENGTH", record.layout.len().to_string()),
+            ("LENGTH", lengths.iter().max().map_or(0, |length| *length).to_string()),
+            ("LENGTHS", lengths.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
             ("WORD_NAMES", comment(&input.word_names().join(" "))),
-            ("RECORD_NAMES", comment(&records.join(" "))),
+            ("RECORD_NAMES", comment(&self.record_names())),
             ("CHANNEL_NAMES", names.join(" ")),
             ("CHANNELS", names.len().to_string()),
             ("WIDTH", window.width.to_string()),

@@ -63,7 +63,7 @@ impl EngineText for Anchored {
         ports
     }
 
-    fn values(&self) -> Vec<(String, String)> {
+    fn values(&self, _: usize) -> Vec<(String, String)> {
         let channel = |c: usize| (format!("value[{c}]"), format!("value[{c}]"));
         pixel().into_iter().chain((0..self.channels.len()).map(channel)).collect()
     }

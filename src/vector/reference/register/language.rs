@@ -35,12 +35,14 @@ impl RegisterText<'_> {
             }
         }
         let (reads, writes) = (reads.concat(), writes.concat());
-        let values = self.engine.values();
-        let packs = self.packs(|word, parts| {
-            let term =
-                |(n, p): &(usize, Piece)| format!("(uint32_t){}", p.placed(&values[*n].0, "u"));
+        let before = usize::from(self.records().len() > 1);
+        let [packs, packs1] = self.packs(|word, parts| {
+            let term = |(value, p): &((String, String), Piece)| {
+                format!("(uint32_t){}", p.placed(&value.0, "u"))
+            };
             format!(
-                "    record[{word}] = {};\n",
+                "    record[{}] = {};\n",
+                word + before,
                 parts.iter().map(term).collect::<Vec<_>>().join(" | ")
             )
         });
@@ -74,6 +76,7 @@ impl RegisterText<'_> {
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
+                ("PACKS1", packs1.trim_end()),
                 ("V0", "{0, 0}"),
                 ("READ_OUT", read.trim_end()),
                 ("EXPECTED", &format!("0x{:016x}u", self.digest(1, CASES))),
@@ -115,9 +118,8 @@ impl RegisterText<'_> {
             }
         }
         let (reads, writes) = (reads.concat(), writes.concat());
-        let values = self.engine.values();
-        let packs = self.packs(|_, parts| {
-            let term = |(n, p): &(usize, Piece)| p.placed(&values[*n].1, "");
+        let [packs, packs1] = self.packs(|_, parts| {
+            let term = |(value, p): &((String, String), Piece)| p.placed(&value.1, "");
             format!("        {},\n", parts.iter().map(term).collect::<Vec<_>>().join(" | "))
         });
         let read = self.read_out(
@@ -146,6 +148,7 @@ impl RegisterText<'_> {
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
+                ("PACKS1", packs1.trim_end()),
                 ("READ_OUT", read.trim_end()),
                 ("EXPECTED", &format!("0x{:016X}", self.digest(1, CASES))),
             ])
@@ -169,18 +172,21 @@ impl RegisterText<'_> {
         text
     }
 
-    /// The words of a record: each with the numbers of its values and where their bits go.
-    fn packs(&self, line: impl Fn(usize, &[(usize, Piece)]) -> String) -> String {
-        let record = self.record();
-        let word = |word: usize| {
-            let fields = record.layout.fields(word).iter();
-            let parts = fields.filter_map(|field| {
-                let piece = Piece { word, from: field.piece, width: field.width, at: field.at };
-                record.position(&field.name).map(|n| (n, piece))
-            });
-            line(word, &parts.collect::<Vec<_>>())
-        };
-        (0..record.layout.len()).map(word).collect()
+    /// The words of the first two kinds of records: each with its values and where their bits go.
+    fn packs(&self, line: impl Fn(usize, &[((String, String), Piece)]) -> String) -> [String; 2] {
+        [0, 1].map(|kind| {
+            let Some(record) = self.records().get(kind) else { return String::new() };
+            let values = self.engine.values(kind);
+            let word = |word: usize| {
+                let fields = record.layout.fields(word).iter();
+                let parts = fields.filter_map(|field| {
+                    let piece = Piece { word, from: field.piece, width: field.width, at: field.at };
+                    record.position(&field.name).map(|n| (values[n].clone(), piece))
+                });
+                line(word, &parts.collect::<Vec<_>>())
+            };
+            (0..record.layout.len()).map(word).collect()
+        })
     }
 }
 

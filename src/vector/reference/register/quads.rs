@@ -104,7 +104,7 @@ impl EngineText for Quads {
         pixels.into_iter().chain(["a", "b", "c"].into_iter().flat_map(word)).collect()
     }
 
-    fn values(&self) -> Vec<(String, String)> {
+    fn values(&self, _: usize) -> Vec<(String, String)> {
         let mut values: Vec<_> = pixel().into();
         let mut add = |value: String| values.push((format!("(uint64_t){value}"), value));
         if self.masks {

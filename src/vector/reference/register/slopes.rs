@@ -126,7 +126,7 @@ impl EngineText for Slopes {
         ports
     }
 
-    fn values(&self) -> Vec<(String, String)> {
+    fn values(&self, _: usize) -> Vec<(String, String)> {
         let channel = |c: usize| (format!("value[{c}]"), format!("value[{c}]"));
         let own = ["w_float", "depth"].map(|name| (name.to_owned(), name.to_owned()));
         let own = own.into_iter().filter(|_| self.has_depth());
