@@ -27,7 +27,8 @@ const BUILT_IN: [&str; 9] = [
 const ANCHORED: [&str; 2] = ["ps1", "ps1-rtl"];
 
 /// Those that begin at registers: in C, C++ and Python.
-const REGISTERS: [&str; 4] = ["ps1", "ps1-rtl", "vortex", "psp"];
+const REGISTERS: [&str; 8] =
+    ["ps1", "ps1-rtl", "vortex", "psp", "voodoo", "virge", "n64", "n64-rtl"];
 
 /// Sets a key of a profile, where it first occurs behind the line `table`.
 fn set_in(text: &mut String, table: &str, key: &str, value: &str) {
@@ -138,21 +139,54 @@ fn registers(home: &Path) -> Vec<(String, Profile)> {
         list.push(own(home, &format!("own-registers-{n}"), text));
     }
     list.extend(quads(home));
+    list.extend(slopes(home));
     list
+}
+
+/// A built-in profile as it was written, where the engine is one table, with keys set.
+fn changed(home: &Path, name: &str, changes: &[(&str, &str, &str)]) -> String {
+    let mut text = run_in(home, &format!("profile show {name}")).ends(0).out;
+    for (table, key, value) in changes {
+        set_in(&mut text, table, key, value);
+    }
+    text
+}
+
+/// The engine `slopes` with what neither built-in profile has: given edges and channels at a vertex, divided ones and
+/// channels at the long side, without a bias or half a pixel, one clamp for all channels.
+fn slopes(home: &Path) -> Vec<(String, Profile)> {
+    const ENGINE: &str = "[form.registers.engine.slopes]";
+    let given = [
+        (ENGINE, "edges", "{ given = { fraction = 12, rows = \"down\" } }"),
+        (ENGINE, "plane", "{ at-vertex = {} }"),
+        (ENGINE, "pixel-bias", "0"),
+        (ENGINE, "clip", "\"half-open\""),
+    ];
+    let given = changed(home, "virge", &given).replace("\"clip\",", "\"adjust\",");
+    let divided = [
+        (ENGINE, "edges", "{ divided = { fraction = 13, row-bias = 16 } }"),
+        (ENGINE, "plane", "{ at-edge = { fraction = 3 } }"),
+        (ENGINE, "pixel-bias", "0xfff"),
+        (ENGINE, "clip", "\"closed\""),
+    ];
+    let divided = changed(home, "voodoo", &divided)
+        .replace("\"adjust\"", "\"-adjust\"")
+        .replace("\"sign\"", "\"guard\"")
+        .replace("\"wrap\"", "\"guard\"")
+        .replace("guard = 0, integer = 64", "guard = 1, integer = 63")
+        .replace("shift = 14", "drop = 3, shift = 7")
+        .replace("\"leftward:", "\"rightward:");
+    [("own-given-slopes", given), ("own-divided-slopes", divided)]
+        .into_iter()
+        .map(|(name, text)| own(home, name, text))
+        .collect()
 }
 
 /// The engine `quads` with narrow words, and what neither built-in profile has: vertices with a sign, of which it
 /// makes quads, with a descent or without.
 fn quads(home: &Path) -> Vec<(String, Profile)> {
     const ENGINE: &str = "[form.registers.engine.quads]";
-    let changed = |name: &str, changes: &[(&str, &str, &str)]| {
-        // As it was written: the engine is one table.
-        let mut text = run_in(home, &format!("profile show {name}")).ends(0).out;
-        for (table, key, value) in changes {
-            set_in(&mut text, table, key, value);
-        }
-        text
-    };
+    let changed = |name: &str, changes: &[(&str, &str, &str)]| changed(home, name, changes);
     let place = |edge: usize| (0..4).map(move |place| format!("\"e{edge}_{place}\""));
     let values = (0..3).flat_map(place).collect::<Vec<_>>().join(", ");
     let records =

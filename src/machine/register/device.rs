@@ -59,9 +59,25 @@ pub enum RegisterDevice {
 impl RegisterDevice {
     pub(super) fn wired(
         engine: WiredEngine,
-        values: Vec<(&'static str, i128)>,
+        [values, facts]: [Vec<(&'static str, i128)>; 2],
         wiring: RegisterConfig,
     ) -> Self {
-        Self::Wired(WiredDevice { engine, values, facts: Vec::new(), rounding: None, wiring })
+        Self::Wired(WiredDevice { engine, values, facts, rounding: None, wiring })
+    }
+}
+
+impl WiredDevice {
+    /// A parameter; 0 without one of this name.
+    pub fn value(&self, name: &str) -> i128 {
+        Self::named(&self.values, name)
+    }
+
+    /// What it takes for granted; 0 without one of this name.
+    pub fn fact(&self, name: &str) -> i128 {
+        Self::named(&self.facts, name)
+    }
+
+    fn named(list: &[(&'static str, i128)], name: &str) -> i128 {
+        list.iter().find(|(known, _)| *known == name).map_or(0, |(_, value)| *value)
     }
 }

@@ -161,6 +161,13 @@ impl SlopeConfig {
             let [by_w, biased, bias] =
                 inputs.all(NAME, ["w_buffer", "depth_biased", "depth_bias"])?;
             let (integer, w_float) = (place(&choice.integer)?, place(&choice.w_float)?);
+            let bits = channels[integer].0.read.integer();
+            if bits > 32 {
+                let name = &choice.integer;
+                let reason =
+                    format!("depth takes channel {name:?}: integer = {bits} <= 32 is needed");
+                return Err(RegisterError::Together { engine: NAME, reason });
+            }
             Ok::<_, RegisterError>(Depth { integer, w_float, by_w, biased, bias })
         });
         let depth = depth.transpose()?;

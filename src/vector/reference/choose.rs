@@ -57,6 +57,19 @@ mod tests {
             "truncated",
             "descent",
             "masks",
+            "registers",
+            "mixed",
+            "scaled",
+            "slopes",
+            "clips",
+            "adjust",
+            "flip",
+            "at_edge",
+            "w_depth",
+            "kinds",
+            "resize",
+            "signed_distance",
+            "long_sign",
         ];
         let templates = [
             include_str!("c.in"),
@@ -70,6 +83,10 @@ mod tests {
             include_str!("anchored.py.in"),
             include_str!("quads.c.in"),
             include_str!("quads.py.in"),
+            include_str!("slopes.c.in"),
+            include_str!("slopes.py.in"),
+            include_str!("sub-scanlines.c.in"),
+            include_str!("sub-scanlines.py.in"),
         ];
         for template in templates {
             let mut open = 0;

@@ -4,6 +4,8 @@ mod anchored;
 mod engine;
 mod language;
 mod quads;
+mod slopes;
+mod sub_scanlines;
 
 use super::choose::choose;
 
@@ -21,6 +23,8 @@ use crate::vector::package::{comment, fill};
 use anchored::Anchored;
 use engine::EngineText;
 use quads::Quads;
+use slopes::Slopes;
+use sub_scanlines::SubScanlines;
 
 /// What a text of registers is written of.
 pub(super) struct RegisterText<'a> {
@@ -28,7 +32,8 @@ pub(super) struct RegisterText<'a> {
     model: Model,
     engine: Box<dyn EngineText>,
     rounding: Option<Rounding>,
-    clamp: Clamp,
+    /// The clamps that there are.
+    clamps: Vec<Clamp>,
     channels: Vec<Channel>,
 }
 
@@ -41,7 +46,12 @@ impl<'a> RegisterText<'a> {
         let channels = profile.form.channels().iter().map(crate::value::ChannelConfig::channels);
         let channels: Vec<Channel> =
             channels.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?.concat();
-        let clamp = channels.first().map_or(Clamp::Wrap, |channel| channel.read.clamp());
+        let mut clamps: Vec<Clamp> = Vec::new();
+        for channel in &channels {
+            if !clamps.contains(&channel.read.clamp()) {
+                clamps.push(channel.read.clamp());
+            }
+        }
         let signed = profile.vertex.signed;
         let mut rounding = None;
         let engine: Box<dyn EngineText> = match profile.form.register_device() {
@@ -53,19 +63,25 @@ impl<'a> RegisterText<'a> {
                 }
                 WiredEngine::Anchored => {
                     rounding = Some(device.rounding.ok_or_else(refused)?);
-                    if channels.is_empty()
-                        || channels.iter().any(|channel| channel.read.clamp() != clamp)
-                    {
+                    if clamps.len() != 1 {
                         let why = "with no channels or with several clamps";
                         return Err(format!("{}, {why}", refused()));
                     }
                     Box::new(Anchored { device, channels: channels.clone(), signed })
                 }
-                _ => return Err(refused()),
+                WiredEngine::DividedSlopes | WiredEngine::GivenSlopes => {
+                    if channels.is_empty() {
+                        return Err(format!("{}, with no channels", refused()));
+                    }
+                    Box::new(Slopes::new(device, channels.clone(), &registers.input))
+                }
+                WiredEngine::SubScanlines => {
+                    Box::new(SubScanlines { device, channels: channels.clone() })
+                }
             },
             None => return Err(refused()),
         };
-        Ok(Some(Self { profile, model, engine, rounding, clamp, channels }))
+        Ok(Some(Self { profile, model, engine, rounding, clamps, channels }))
     }
 
     /// The digest of random registers.
@@ -93,22 +109,37 @@ impl<'a> RegisterText<'a> {
         &registers.unwrap_or_else(|| unreachable!("it begins at registers")).input
     }
 
-    fn record(&self) -> &Record {
-        let records = self.model.registers().and_then(|registers| registers.records.first());
-        records.unwrap_or_else(|| unreachable!("a valid profile has records"))
+    /// The kinds of records.
+    fn records(&self) -> &[Record] {
+        self.model.registers().map_or(&[], |registers| &registers.records)
+    }
+
+    /// Words of a record of each kind; where there are several, the kind is a word before the others.
+    fn lengths(&self) -> Vec<usize> {
+        let kind = usize::from(self.records().len() > 1);
+        self.records().iter().map(|record| kind + record.layout.len()).collect()
+    }
+
+    /// What a record consists of.
+    fn record_names(&self) -> String {
+        let names: Vec<String> =
+            self.records().iter().map(|record| record.layout.word_names().join(" ")).collect();
+        let [names] = &*names else { return format!("its kind, and 0: {}", names.join("; 1: ")) };
+        names.clone()
     }
 
     fn fill(&self, template: &str, parts: [&str; 3], own: &[(&str, &str)]) -> String {
         let [engine, random, quotient] = parts;
         let template = template.replace("@ENGINE@\n", engine).replace("@RANDOM@\n", random);
         let mut flags = self.engine.flags();
-        flags.push("rich");
-        flags.extend((self.clamp != Clamp::Wrap).then_some("clamped"));
+        flags.extend(["rich", "registers"]);
+        flags.extend((self.clamps != [Clamp::Wrap]).then_some("clamped"));
+        flags.extend((self.clamps.len() > 1).then_some("mixed"));
         flags.extend((!self.channels.is_empty()).then_some("channels"));
         let (low, high) = self.profile.vertex.range();
-        let (window, input, record) = (&self.profile.window, self.input(), self.record());
+        let (window, input) = (&self.profile.window, self.input());
+        let lengths = self.lengths();
         let names: Vec<&str> = self.channels.iter().map(|channel| &*channel.name).collect();
-        let records = record.layout.word_names();
         let quotient = fill(
             quotient,
             &[
@@ -126,11 +157,16 @@ impl<'a> RegisterText<'a> {
             ("GUARDBIT", env!("CARGO_PKG_VERSION").to_owned()),
             ("VERSION", MODEL_VERSION.to_string()),
             ("DIGEST", sha256(self.profile.to_toml().as_bytes())),
-            ("CLAMP", self.clamp.name().to_owned()),
+            (
+                "CLAMP",
+                self.clamps.iter().map(|clamp| clamp.name()).collect::<Vec<_>>().join(" or "),
+            ),
+            ("COLUMNS", if self.clamps.len() > 1 { "4" } else { "3" }.to_owned()),
             ("COUNT", input.len().to_string()),
-            ("LENGTH", record.layout.len().to_string()),
+            ("LENGTH", lengths.iter().max().map_or(0, |length| *length).to_string()),
+            ("LENGTHS", lengths.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")),
             ("WORD_NAMES", comment(&input.word_names().join(" "))),
-            ("RECORD_NAMES", comment(&records.join(" "))),
+            ("RECORD_NAMES", comment(&self.record_names())),
             ("CHANNEL_NAMES", names.join(" ")),
             ("CHANNELS", names.len().to_string()),
             ("WIDTH", window.width.to_string()),
@@ -146,11 +182,19 @@ impl<'a> RegisterText<'a> {
         fill(&choose(&template, &flags), &values.collect::<Vec<_>>())
     }
 
-    /// Guard, integer and interpolation bits of the channels between these brackets.
+    /// Guard, integer and interpolation bits of the channels between these brackets, and the number of the clamp
+    /// where there are several.
     fn formats(&self, open: char, close: char) -> String {
         let one = |channel: &Channel| {
             let read = channel.read;
-            format!("{open}{}, {}, {}{close}", read.guard(), read.integer(), read.fraction())
+            let clamp = match read.clamp() {
+                _ if self.clamps.len() < 2 => "",
+                Clamp::Guard | Clamp::Error => ", 1",
+                Clamp::Sign => ", 2",
+                Clamp::Wrap | Clamp::Saturate => ", 0",
+            };
+            let (guard, integer, fraction) = (read.guard(), read.integer(), read.fraction());
+            format!("{open}{guard}, {integer}, {fraction}{clamp}{close}")
         };
         self.channels.iter().map(one).collect::<Vec<_>>().join(", ")
     }

@@ -113,6 +113,12 @@ fn what_has_no_meaning_is_refused() {
             "w-float = \"q\"",
             "depth takes channel \"q\", and there is none",
         ),
+        (
+            "voodoo",
+            "\"z\"], guard = 4, integer = 16, interpolation = 12",
+            "\"z\"], guard = 0, integer = 33, interpolation = 12",
+            "depth takes channel \"z\": integer = 33 <= 32 is needed",
+        ),
         ("voodoo", "\"r:24\"", "\"r:24@16\"", "must lie in bits 0 to 31"),
         ("virge", "rightward:1@31", "leftward:1@31", ""),
         ("virge", "rightward:1@31", "-:1@31", "exactly one of `leftward` and `rightward`"),

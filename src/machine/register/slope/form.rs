@@ -1,6 +1,6 @@
 //! The engine `slopes` as a profile configures it.
 
-use super::{ClipEnds, NAME, SlopeConfig, SlopeEdges};
+use super::{ClipEnds, NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
 use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
@@ -38,11 +38,36 @@ impl EngineForm for SlopeConfig {
     }
 
     fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
-        let engine = match self.edges {
-            SlopeEdges::Divided { .. } => WiredEngine::DividedSlopes,
-            SlopeEdges::Given { .. } => WiredEngine::GivenSlopes,
+        let (engine, fraction, [row_bias, down]) = match self.edges {
+            SlopeEdges::Divided { fraction, row_bias } => {
+                (WiredEngine::DividedSlopes, fraction, [i128::from(row_bias), 0])
+            }
+            SlopeEdges::Given { fraction, rows } => {
+                let down = if rows == RowOrder::Down { 1 } else { -1 };
+                (WiredEngine::GivenSlopes, fraction, [0, down])
+            }
         };
-        Some(RegisterDevice::wired(engine, Vec::new(), machine.clone()))
+        let part = match self.plane {
+            Plane::AtVertex {} => 0,
+            Plane::AtEdge { fraction } => fraction,
+        };
+        let place = |name: &String| {
+            let mut names = machine.channels.iter().flat_map(|channel| &channel.names);
+            names.position(|channel| channel == name).map_or(0, |place| place as i128)
+        };
+        let depth = self.depth.as_ref();
+        let facts = vec![
+            ("FRACTION", fraction.into()),
+            ("ROW_BIAS", row_bias),
+            ("DOWN", down),
+            ("PIXEL_BIAS", self.pixel_bias.into()),
+            ("PART", part.into()),
+            ("CLOSED", (self.clip == ClipEnds::Closed).into()),
+            ("DEPTH", depth.is_some().into()),
+            ("INTEGER_AT", depth.map_or(0, |depth| place(&depth.integer))),
+            ("W_AT", depth.map_or(0, |depth| place(&depth.w_float))),
+        ];
+        Some(RegisterDevice::wired(engine, [Vec::new(), facts], machine.clone()))
     }
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {

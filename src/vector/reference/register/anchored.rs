@@ -13,13 +13,6 @@ pub(super) struct Anchored {
     pub(super) signed: bool,
 }
 
-impl Anchored {
-    /// A parameter of the device.
-    fn value(&self, name: &str) -> i128 {
-        self.device.values.iter().find(|(known, _)| *known == name).map_or(0, |(_, value)| *value)
-    }
-}
-
 impl EngineText for Anchored {
     fn device(&self) -> &'static str {
         device_name(self.device.engine)
@@ -32,18 +25,18 @@ impl EngineText for Anchored {
     fn flags(&self) -> Vec<&'static str> {
         let mut flags = vec!["anchored"];
         for (flag, name) in [("first_match", "FIRST_MATCH"), ("sorted", "SORTED")] {
-            flags.extend((self.value(name) != 0).then_some(flag));
+            flags.extend((self.device.value(name) != 0).then_some(flag));
         }
         flags
     }
 
     fn keys(&self, c: bool) -> Vec<(&'static str, String)> {
-        let sort = if self.value("FIRST_MATCH") != 0 {
+        let sort = if self.device.value("FIRST_MATCH") != 0 {
             "the first order of a list in which y does not fall"
         } else {
             "those of the same y stay as they came"
         };
-        let lower_first = match (self.value("UPPER_FIRST") != 0, c) {
+        let lower_first = match (self.device.value("UPPER_FIRST") != 0, c) {
             (true, true) => "0",
             (true, false) => "False",
             (false, _) => "anchor > 0",
@@ -51,8 +44,8 @@ impl EngineText for Anchored {
         vec![
             ("SORT", sort.to_owned()),
             ("LOWER_FIRST", lower_first.to_owned()),
-            ("LARGEST_X", self.value("LARGEST_X").to_string()),
-            ("LARGEST_Y", self.value("LARGEST_Y").to_string()),
+            ("LARGEST_X", self.device.value("LARGEST_X").to_string()),
+            ("LARGEST_Y", self.device.value("LARGEST_Y").to_string()),
         ]
     }
 
@@ -70,13 +63,13 @@ impl EngineText for Anchored {
         ports
     }
 
-    fn values(&self) -> Vec<(String, String)> {
+    fn values(&self, _: usize) -> Vec<(String, String)> {
         let channel = |c: usize| (format!("value[{c}]"), format!("value[{c}]"));
         pixel().into_iter().chain((0..self.channels.len()).map(channel)).collect()
     }
 
     fn registers(&self) -> Box<dyn Registers + '_> {
-        let largest = ["LARGEST_X", "LARGEST_Y"].map(|name| self.value(name));
+        let largest = ["LARGEST_X", "LARGEST_Y"].map(|name| self.device.value(name));
         Box::new(register::Anchored { channels: &self.channels, largest })
     }
 }

@@ -19,8 +19,8 @@ pub(super) trait EngineText {
     /// The registers that it reads.
     fn ports(&self) -> Vec<Port>;
 
-    /// The values of a record, as C and Python have them.
-    fn values(&self) -> Vec<(String, String)>;
+    /// The values of a record of a kind, as C and Python have them.
+    fn values(&self, kind: usize) -> Vec<(String, String)>;
 
     /// What the self test writes into its registers.
     fn registers(&self) -> Box<dyn Registers + '_>;

@@ -35,26 +35,26 @@ impl RegisterText<'_> {
             }
         }
         let (reads, writes) = (reads.concat(), writes.concat());
-        let values = self.engine.values();
-        let packs = self.packs(|word, parts| {
-            let term =
-                |(n, p): &(usize, Piece)| format!("(uint32_t){}", p.placed(&values[*n].0, "u"));
+        let before = usize::from(self.records().len() > 1);
+        let [packs, packs1] = self.packs(|word, parts| {
+            let term = |(value, p): &((String, String), Piece)| {
+                format!("(uint32_t){}", p.placed(&value.0, "u"))
+            };
             format!(
-                "    record[{word}] = {};\n",
+                "    record[{}] = {};\n",
+                word + before,
                 parts.iter().map(term).collect::<Vec<_>>().join(" | ")
             )
         });
-        let read = match self.clamp {
-            Clamp::Guard | Clamp::Error => {
+        let read = self.read_out(
+            |number| format!("@P@formats[c][3] == {number} && "),
+            [
                 "    const @P@bits middle = ((@P@bits)1 << (guard + integer - 1)) + (whole >> 1);\n    \
-                 if (u >= whole) return u >= middle ? 0 : (uint64_t)(whole - 1);\n"
-            }
-            Clamp::Sign => {
-                "    if ((acc >> (guard + integer + fraction - 1) & 1) != 0) return 0;\n    \
-                 if (u >= whole) return (uint64_t)(whole - 1);\n"
-            }
-            Clamp::Wrap | Clamp::Saturate => "",
-        };
+                 if (@IF@u >= whole) return u >= middle ? 0 : (uint64_t)(whole - 1);\n",
+                "    if (@IF@(acc >> (guard + integer + fraction - 1) & 1) != 0) return 0;\n    \
+                 if (@IF@u >= whole) return (uint64_t)(whole - 1);\n",
+            ],
+        );
         let engine = self.engine.keys(true);
         let own = engine.iter().map(|(key, value)| (*key, value.as_str()));
         let up = self.rounding.map_or_else(String::new, up);
@@ -76,6 +76,7 @@ impl RegisterText<'_> {
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
+                ("PACKS1", packs1.trim_end()),
                 ("V0", "{0, 0}"),
                 ("READ_OUT", read.trim_end()),
                 ("EXPECTED", &format!("0x{:016x}u", self.digest(1, CASES))),
@@ -117,22 +118,19 @@ impl RegisterText<'_> {
             }
         }
         let (reads, writes) = (reads.concat(), writes.concat());
-        let values = self.engine.values();
-        let packs = self.packs(|_, parts| {
-            let term = |(n, p): &(usize, Piece)| p.placed(&values[*n].1, "");
+        let [packs, packs1] = self.packs(|_, parts| {
+            let term = |(value, p): &((String, String), Piece)| p.placed(&value.1, "");
             format!("        {},\n", parts.iter().map(term).collect::<Vec<_>>().join(" | "))
         });
-        let read = match self.clamp {
-            Clamp::Guard | Clamp::Error => {
-                "    if u >= whole:\n        \
-                 return 0 if u >= (1 << guard + integer >> 1) + (whole >> 1) else whole - 1"
-            }
-            Clamp::Sign => {
-                "    if acc >> (guard + integer + fraction - 1) & 1:\n        return 0\n    \
-                 if u >= whole:\n        return whole - 1"
-            }
-            Clamp::Wrap | Clamp::Saturate => "",
-        };
+        let read = self.read_out(
+            |number| format!("clamp == {number} and "),
+            [
+                "    if @IF@u >= whole:\n        \
+                 return 0 if u >= (1 << guard + integer >> 1) + (whole >> 1) else whole - 1\n",
+                "    if @IF@acc >> (guard + integer + fraction - 1) & 1:\n        return 0\n    \
+                 if @IF@u >= whole:\n        return whole - 1\n",
+            ],
+        );
         let engine = self.engine.keys(false);
         let own = engine.iter().map(|(key, value)| (*key, value.as_str()));
         let up = self.rounding.map_or_else(String::new, up);
@@ -150,25 +148,45 @@ impl RegisterText<'_> {
                 ("READS", reads.trim_end()),
                 ("WRITES", writes.trim_end()),
                 ("PACKS", packs.trim_end()),
-                ("READ_OUT", read),
+                ("PACKS1", packs1.trim_end()),
+                ("READ_OUT", read.trim_end()),
                 ("EXPECTED", &format!("0x{:016X}", self.digest(1, CASES))),
             ])
             .collect::<Vec<_>>(),
         )
     }
 
-    /// The words of a record: each with the numbers of its values and where their bits go.
-    fn packs(&self, line: impl Fn(usize, &[(usize, Piece)]) -> String) -> String {
-        let record = self.record();
-        let word = |word: usize| {
-            let fields = record.layout.fields(word).iter();
-            let parts = fields.filter_map(|field| {
-                let piece = Piece { word, from: field.piece, width: field.width, at: field.at };
-                record.position(&field.name).map(|n| (n, piece))
-            });
-            line(word, &parts.collect::<Vec<_>>())
-        };
-        (0..record.layout.len()).map(word).collect()
+    /// What the clamps that there are make of a read-out, of the lines for `guard` and for `sign`: where there are
+    /// several, each asks first for its own number.
+    fn read_out(&self, asks: impl Fn(u8) -> String, lines: [&str; 2]) -> String {
+        let mut text = String::new();
+        for clamp in &self.clamps {
+            let (number, lines) = match clamp {
+                Clamp::Guard | Clamp::Error => (1, lines[0]),
+                Clamp::Sign => (2, lines[1]),
+                Clamp::Wrap | Clamp::Saturate => continue,
+            };
+            let own = if self.clamps.len() > 1 { asks(number) } else { String::new() };
+            text += &lines.replace("@IF@", &own);
+        }
+        text
+    }
+
+    /// The words of the first two kinds of records: each with its values and where their bits go.
+    fn packs(&self, line: impl Fn(usize, &[((String, String), Piece)]) -> String) -> [String; 2] {
+        [0, 1].map(|kind| {
+            let Some(record) = self.records().get(kind) else { return String::new() };
+            let values = self.engine.values(kind);
+            let word = |word: usize| {
+                let fields = record.layout.fields(word).iter();
+                let parts = fields.filter_map(|field| {
+                    let piece = Piece { word, from: field.piece, width: field.width, at: field.at };
+                    record.position(&field.name).map(|n| (values[n].clone(), piece))
+                });
+                line(word, &parts.collect::<Vec<_>>())
+            };
+            (0..record.layout.len()).map(word).collect()
+        })
     }
 }
 

@@ -41,17 +41,14 @@ impl Quads {
         input: &Layout,
         (signed, sample): (bool, [i128; 2]),
     ) -> Self {
-        let fact = |name: &str| {
-            device.facts.iter().find(|(known, _)| *known == name).map_or(0, |(_, value)| *value)
-        };
         let bits = ENDS.iter().filter_map(|name| input.find(name)).map(|end| end.bits()).min();
         Self {
             device: device_name(device.engine),
-            edge: fact("EDGE"),
-            tile: fact("TILE"),
-            block: fact("BLOCK"),
-            truncated: fact("TRUNCATED") != 0,
-            masks: fact("MASKS") != 0,
+            edge: device.fact("EDGE"),
+            tile: device.fact("TILE"),
+            block: device.fact("BLOCK"),
+            truncated: device.fact("TRUNCATED") != 0,
+            masks: device.fact("MASKS") != 0,
             vertices: Some((signed, sample, (1 << bits.unwrap_or(0)) - 1)),
         }
     }
@@ -107,7 +104,7 @@ impl EngineText for Quads {
         pixels.into_iter().chain(["a", "b", "c"].into_iter().flat_map(word)).collect()
     }
 
-    fn values(&self) -> Vec<(String, String)> {
+    fn values(&self, _: usize) -> Vec<(String, String)> {
         let mut values: Vec<_> = pixel().into();
         let mut add = |value: String| values.push((format!("(uint64_t){value}"), value));
         if self.masks {

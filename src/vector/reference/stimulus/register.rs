@@ -2,9 +2,13 @@
 
 mod anchored;
 mod quads;
+mod slopes;
+mod sub_scanlines;
 
 pub(in crate::vector::reference) use anchored::Anchored;
 pub(in crate::vector::reference) use quads::{GivenQuads, VertexQuads};
+pub(in crate::vector::reference) use slopes::Slopes;
+pub(in crate::vector::reference) use sub_scanlines::SubScanlines;
 
 use super::rich::Cases;
 use super::{Digest, Stimulus};
@@ -39,6 +43,9 @@ pub(in crate::vector::reference) fn digest(
         let drawn = records(model, &words, MOST);
         digest.number(drawn.total);
         for (kind, values) in drawn.kept {
+            if registers.records.len() > 1 {
+                digest.number(i128::try_from(kind).unwrap_or(0));
+            }
             for word in registers.records[kind].words(&values) {
                 digest.number(word);
             }

@@ -32,6 +32,12 @@ impl<'a> Cases<'a> {
         &mut self.given.random
     }
 
+    /// A number with a sign, of any size below 2^61.
+    pub(super) fn scaled(&mut self) -> i128 {
+        let number = self.given.random.below(1 << 62) - (1 << 61);
+        number >> self.given.random.below(62)
+    }
+
     /// Whose cases they are.
     pub(super) const fn profile(&self) -> &'a Profile {
         self.given.profile
