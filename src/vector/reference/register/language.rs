@@ -70,6 +70,8 @@ impl RegisterText<'_> {
                 ("OPEN", &if plus { format!("namespace {id} {{") } else { String::new() }),
                 ("CLOSE", if plus { "}" } else { "" }),
                 ("FN", if plus { "constexpr" } else { "static inline" }),
+                // A compiler would try to run a constexpr self test while it compiles.
+                ("TRIAL", if plus { "inline" } else { "static inline" }),
                 ("CONST", if plus { "constexpr" } else { "const" }),
                 ("ZERO", if plus { "{}" } else { "{0}" }),
                 ("FORMATS", &self.formats('{', '}')),
