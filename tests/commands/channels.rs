@@ -240,3 +240,22 @@ correction = "affine"
         .unwrap();
     render("--show channel").complains(2, &["m.obj: line 9: `f` crosses itself"]);
 }
+
+/// The README's profile draws a mesh with texture coordinates and colours, and its set verifies.
+#[test]
+fn the_readmes_profile_draws_a_mesh() {
+    let home = tempfile::tempdir().unwrap();
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/textured.toml");
+    std::fs::copy(example, home.path().join("textured.toml")).unwrap();
+    let mesh = "v 0 0 0 1 0 0\nv 9 0 0 0 1 0\nv 9 0 9 0 0 1\nv 0 0 9 1 1 1\n\
+                vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
+    std::fs::write(home.path().join("mesh.obj"), mesh).unwrap();
+    let run = |line: &str| run_in(home.path(), line).ends(0);
+    let small = "--scene mesh.obj --window 64x64 --out a.png";
+    let ran = run(&format!("render textured.toml {small} --show channel --channel color"));
+    assert!(ran.out.contains("2 triangles of mesh"), "{}", ran.out);
+    run(&format!("render textured.toml {small} --show checker --channel map --squares 12"));
+    run("vectors textured.toml --scene mesh.obj --count 1000 --out set");
+    let ran = run("verify set --recompute");
+    assert!(ran.out.contains("PASS"), "{}", ran.out);
+}
