@@ -187,6 +187,11 @@ pub enum DrawError {
         /// The primitive's.
         got: VertexField,
     },
+    /// Values of vertices that were checked against the channels of another profile.
+    #[error(
+        "the values of the vertices were made for other channels; make them with the model that draws them"
+    )]
+    ForeignValues,
     /// The machine draws polygons, but not their depth.
     #[error(
         "the machine {machine} draws only the coverage of polygons, because more than three points may \

@@ -14,7 +14,6 @@ pub use walk::Walk;
 
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
-use crate::format::Column;
 use crate::machine::{
     Channels, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
 };
@@ -115,14 +114,6 @@ impl Model {
     /// The channels of the profile; none where it has none.
     pub fn channels(&self) -> Option<&Channels> {
         self.channels.as_ref().map(|(channels, _)| channels)
-    }
-
-    /// The set-up columns that the channels add to those of the machine, which they follow.
-    pub fn channel_columns(&self) -> &[Column] {
-        match &self.channels {
-            None => &[],
-            Some((_, ports)) => &ports.setup[self.machine.ports().setup.len()..],
-        }
     }
 
     /// Values of vertices for the channels of the profile, checked: by name of the channel, three vertices for
@@ -236,10 +227,10 @@ fn channels(
     }
     let carrier = machine.carrier().ok_or(InvalidProfile::NoChannels(profile.form.name()))?;
     let (w, vertex) = (profile.w.as_ref(), &profile.vertex);
-    let channels = Channels::new(&profile.channel, w, vertex, grid, profile.multisample)
-        .map_err(|error| InvalidProfile::Channel(Box::new(error)))?;
+    let channels = Channels::new(&profile.channel, w, vertex, grid, profile.multisample, carrier);
+    let channels = channels.map_err(Box::new)?;
     let mut ports = machine.ports().clone();
-    ports.setup.extend(channels.columns(carrier));
+    ports.setup.extend_from_slice(channels.columns());
     ports.channels = channels.ports().to_vec();
     Ok(Some((channels, ports)))
 }

@@ -229,14 +229,16 @@ impl Profile {
 
     /// Checks the channels, and that the machine carries them.
     fn check_channels(&self) -> Result<(), InvalidProfile> {
-        validate_channels(&self.channel, self.w.as_ref(), &self.vertex).map_err(
-            |(channel, error)| match channel {
-                None if self.w.is_some() => InvalidProfile::W(Box::new(error)),
-                _ => InvalidProfile::Channel(Box::new(error)),
-            },
-        )?;
+        if let Some(w) = &self.w {
+            w.validate(&self.vertex).map_err(|error| InvalidProfile::W(Box::new(error)))?;
+            if !self.channel.iter().any(|channel| channel.correction.needs_w()) {
+                return Err(InvalidProfile::W(Box::new(AttributeError::UnusedW)));
+            }
+        }
+        let formats = validate_channels(&self.channel, self.w.as_ref(), &self.vertex);
+        let formats = formats.map_err(Box::new)?;
         let machine = self.form.name();
-        for channel in &self.channel {
+        for (channel, read) in self.channel.iter().zip(formats) {
             match self.form.carries() {
                 Carries::Nothing => return Err(InvalidProfile::NoChannels(machine)),
                 Carries::AtItsSample
@@ -249,8 +251,6 @@ impl Profile {
                 }
                 _ => {}
             }
-            let read = channel.validate(&self.vertex, self.w.as_ref());
-            let read = read.map_err(|error| InvalidProfile::Channel(Box::new(error)))?;
             let over = self.w.filter(|_| channel.correction.walks_w());
             let scale = over.map_or(0, |w| w.integer);
             self.form.check_carried(&self.state(), &channel.name, read, scale)?;

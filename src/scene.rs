@@ -292,9 +292,9 @@ const FOREIGN: [(&str, &[u8], &[&str]); 8] = [
 
 /// The format of a file that is not read.
 fn foreign(source: &str, bytes: &[u8]) -> Option<&'static str> {
-    let found = FOREIGN.iter().find(|(_, first, ends)| {
-        bytes.starts_with(first) || (!bytes.starts_with(b"{") && has_extension(source, ends))
-    });
+    let found = FOREIGN
+        .iter()
+        .find(|(_, first, ends)| bytes.starts_with(first) || has_extension(source, ends));
     found.map(|(name, ..)| *name)
 }
 
@@ -401,7 +401,7 @@ mod tests {
         for (name, content, want) in [
             ("a.ply", &b"ply\nformat ascii 1.0\n"[..], "PLY file"),
             ("a.mesh", b"glTF\x02\0\0\0", "binary glTF file"),
-            ("a.gltf", b" {\"asset\": {}}", "glTF file"),
+            ("a.gltf", b"{\n  \"asset\": {}}", "glTF file"),
             ("a.stl", &[0; 84], "STL file"),
             ("a.jsonl", b"\x89PNG\r\n", "PNG file"),
             ("mesh", b"# a mesh\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "end in .obj: rename it"),

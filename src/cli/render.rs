@@ -87,6 +87,22 @@ impl Canvas {
     fn at(&self, x: u32, y: u32) -> usize {
         (y as usize) * self.width as usize + x as usize
     }
+
+    /// Counts a run of samples, and lists those that are nearer than what was drawn before: their number in
+    /// the run and their place here.
+    fn nearer(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) -> Vec<(usize, usize)> {
+        let mut seen = Vec::new();
+        for (n, x) in (x0..x1).enumerate() {
+            let at = self.at(x, y);
+            self.hits[at] += 1;
+            let near = depth.get(n).copied().unwrap_or(0);
+            if self.depth[at].is_none_or(|before| near < before) {
+                self.depth[at] = Some(near);
+                seen.push((n, at));
+            }
+        }
+        seen
+    }
 }
 
 /// Draws one triangle into a canvas, nearest depth in front.
@@ -98,14 +114,8 @@ struct Brush<'a> {
 
 impl Sink for Brush<'_> {
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
-        for (n, x) in (x0..x1).enumerate() {
-            let at = self.canvas.at(x, y);
-            self.canvas.hits[at] += 1;
-            let near = depth.get(n).copied().unwrap_or(0);
-            if self.canvas.depth[at].is_none_or(|seen| near < seen) {
-                self.canvas.depth[at] = Some(near);
-                self.canvas.colour[at] = self.colour;
-            }
+        for (_, at) in self.canvas.nearer(y, x0, x1, depth) {
+            self.canvas.colour[at] = self.colour;
         }
     }
 
@@ -124,7 +134,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     (window.width, window.height) =
         arguments.window.unwrap_or((window.width.min(1024), window.height.min(1024)));
     // A picture has one depth a pixel; errors are those of its centre.
-    if arguments.show == Show::Error {
+    if matches!(arguments.show, Show::Error | Show::Channel | Show::Checker) {
         profile.multisample = None;
     } else if let Some(multisample) = &mut profile.multisample {
         multisample.depth = guardbit::cover::DepthAt::Centre;
@@ -135,9 +145,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if u64::from(width) * u64::from(height) * u64::from(zoom).pow(2) > 1 << 26 {
         let hint = "choose a smaller --window or --zoom";
         return Err(Failure::input("a picture has at most 2^26 pixels").hint(hint));
-    }
-    if matches!(arguments.show, Show::Channel | Show::Checker) {
-        profile.multisample = None;
     }
     let view = View { scissor: arguments.scissor, ..View::default() };
     let model = Model::with_view(&profile, view).map_err(Failure::input)?;
@@ -150,25 +157,22 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         hits: vec![0; pixels],
         worst: vec![None; pixels],
     };
-    let (name, triangles, summary) = if let Some(paint) = paint {
-        paint.draw(&model, &arguments.scene, &mut canvas)?
-    } else {
-        let scene = sets::snap_scene(&profile, &arguments.scene)?;
-        let summary = if arguments.show == Show::Error {
-            draw_errors(&model, &scene.triangles, &mut canvas)
-        } else {
-            draw(&model, &scene.triangles, &mut canvas)
-        };
-        (scene.name, scene.triangles.len(), summary)
+    let scene = sets::snap_scene(&profile, &arguments.scene)?;
+    let summary = match paint {
+        Some(paint) => paint.draw(&model, (&arguments.scene, &scene), &mut canvas)?,
+        None if arguments.show == Show::Error => draw_errors(&model, &scene.triangles, &mut canvas),
+        None => draw(&model, &scene.triangles, &mut canvas),
     };
     colour(arguments.show, &mut canvas);
     write_png(arguments, &canvas, (width, height), zoom)?;
     let mut output = Output::new();
     output.line(format!(
-        "{}: {} x {}, {triangles} triangles of {name}, {summary}",
+        "{}: {} x {}, {} triangles of {}, {summary}",
         arguments.out.display(),
         width * zoom,
         height * zoom,
+        scene.triangles.len(),
+        scene.name
     ))?;
     output.flush()?;
     Ok(Outcome::Good)

@@ -11,6 +11,10 @@ use std::path::Path;
 pub(crate) struct SnappedScene {
     pub(crate) name: String,
     pub(crate) triangles: Vec<Snapped<Triangle>>,
+    /// Their numbers in the scene.
+    pub(crate) numbers: Vec<usize>,
+    /// What the vertices of the whole scene carry.
+    pub(crate) attributes: scene::Attributes,
     pub(crate) refused: u64,
 }
 
@@ -28,9 +32,13 @@ pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<SnappedScene
     let mut refused = scene.dropped as u64;
     let mut first = None;
     let mut triangles = Vec::with_capacity(scene.triangles.len());
+    let mut numbers = Vec::with_capacity(scene.triangles.len());
     for (n, triangle) in scene.triangles.iter().enumerate() {
         match model.snap(triangle) {
-            Ok(triangle) => triangles.push(triangle),
+            Ok(triangle) => {
+                triangles.push(triangle);
+                numbers.push(n);
+            }
             Err(error) => {
                 refused += 1;
                 first.get_or_insert_with(|| format!("triangle {n}: {error}"));
@@ -44,11 +52,7 @@ pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<SnappedScene
     if let Some(first) = first {
         eprintln!("note: {source}: {refused} triangles are left out; the first reason: {first}");
     }
-    Ok(SnappedScene { name: short_name(source), triangles, refused })
-}
-
-/// The name of a scene: that of its file, without folder and ending.
-pub(crate) fn short_name(source: &str) -> String {
     let stem = Path::new(source).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    stem.unwrap_or_else(|| source.to_owned())
+    let name = stem.unwrap_or_else(|| source.to_owned());
+    Ok(SnappedScene { name, triangles, numbers, attributes: scene.attributes, refused })
 }

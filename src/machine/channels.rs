@@ -35,6 +35,8 @@ pub struct Channels {
     /// Where values are taken.
     grids: Vec<SampleGrid>,
     ports: Vec<ChannelPort>,
+    /// Set-up words that they add to those of their machine.
+    columns: Vec<Column>,
 }
 
 #[derive(Clone, Debug)]
@@ -64,7 +66,7 @@ enum Places {
 }
 
 impl Channels {
-    /// The channels of a profile, which has no others.
+    /// The channels of a profile, which has no others, on a machine that carries them by these means.
     ///
     /// # Errors
     /// [`AttributeError`] names the violated inequality.
@@ -74,6 +76,7 @@ impl Channels {
         vertex: &VertexConfig,
         grid: SampleGrid,
         multisample: Option<MultisampleConfig>,
+        carrier: &dyn Carrier,
     ) -> Result<Self, AttributeError> {
         let sub_pixel = grid.sub_pixel;
         let mut grids = Vec::new();
@@ -128,7 +131,9 @@ impl Channels {
             let (rounding, division, gain) = (w.rounding, Division::Quotient, 0);
             Ok(CarriedWords { read: w.validate(vertex)?, rounding, division, gain })
         });
-        Ok(Self { list, w: w.transpose()?, grids, ports })
+        let mut channels = Self { list, w: w.transpose()?, grids, ports, columns: Vec::new() };
+        channels.columns = channels.named(carrier)?;
+        Ok(channels)
     }
 
     /// The channels, in the order of the profile.
@@ -136,14 +141,13 @@ impl Channels {
         &self.ports
     }
 
-    /// How each is corrected.
-    pub fn correctors(&self) -> impl Iterator<Item = &Corrector> {
-        self.list.iter().map(|channel| &channel.corrector)
+    /// The set-up columns that the channels add to those of their machine.
+    pub fn columns(&self) -> &[Column] {
+        &self.columns
     }
 
-    /// The set-up columns that the channels add to those of their machine.
-    pub fn columns(&self, carrier: &dyn Carrier) -> Vec<Column> {
-        let mut columns = Vec::new();
+    fn named(&self, carrier: &dyn Carrier) -> Result<Vec<Column>, AttributeError> {
+        let mut columns: Vec<Column> = Vec::new();
         let scale = self.scale();
         let numbered = |place: usize, new: Vec<Column>| {
             let several = self.grids.len() > 1;
@@ -171,7 +175,30 @@ impl Channels {
                 }
             }
         }
-        columns
+        let twice = columns.iter().enumerate().find_map(|(n, column)| {
+            let before = columns[..n].iter().any(|before| before.name == column.name);
+            before.then(|| column.name.clone())
+        });
+        twice.map_or(Ok(columns), |name| Err(AttributeError::Column(name)))
+    }
+
+    /// Whether values were checked against these channels.
+    fn takes(&self, values: &VertexValues) -> bool {
+        let mut left = values.components();
+        let own = self.list.iter().all(|channel| {
+            let config = channel.corrector.config();
+            let Some((own, rest)) = left.split_at_checked(config.components.len()) else {
+                return false;
+            };
+            left = rest;
+            let (low, high) = config.range();
+            let most = channel.corrector.w_read_out().map(|w| i128::from(w.maximum()));
+            own.iter().flatten().all(|code| (low..=high).contains(code))
+                && most.is_none_or(|most| {
+                    values.inverse_w().is_some_and(|q| q.iter().all(|q| (1..=most).contains(q)))
+                })
+        });
+        own && left.is_empty()
     }
 
     /// Bits of a code of 1/w, which are below the binary point of u/w.
@@ -190,6 +217,9 @@ impl Channels {
         values: Option<&VertexValues>,
         out: &mut dyn Sink,
     ) -> Result<(), DrawError> {
+        if values.is_some_and(|values| !self.takes(values)) {
+            return Err(DrawError::ForeignValues);
+        }
         let given = triangle;
         let triangle = triangle.normalised();
         let set_up = values.zip(machine.carrier()).filter(|_| triangle.area2() > 0);
@@ -197,12 +227,7 @@ impl Channels {
             let turned = given.area2() < 0;
             self.set_up(carrier, &triangle, values, turned)
         });
-        let columns = if set_up.is_none() && out.wants_setup() {
-            machine.carrier().map_or_else(Vec::new, |carrier| self.columns(carrier))
-        } else {
-            Vec::new()
-        };
-        let mut painter = ChannelSink { channels: self, set_up, columns, out, open: None };
+        let mut painter = ChannelSink { channels: self, set_up, out, open: None };
         machine.draw(&Input::Triangle(given), &mut painter)
     }
 }

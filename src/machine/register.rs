@@ -134,6 +134,12 @@ pub struct RegisterMachine {
 }
 
 impl RegisterConfig {
+    /// The place of a channel among all.
+    fn channel_place(&self, name: &str) -> Option<i128> {
+        let mut names = self.channels.iter().flat_map(|channel| &channel.names);
+        i128::try_from(names.position(|known| known == name)?).ok()
+    }
+
     /// The machine, if its configuration is valid.
     ///
     /// # Errors

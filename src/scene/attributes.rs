@@ -3,7 +3,7 @@
 /// Values of every vertex of a scene, parallel to its triangles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Attributes {
-    /// Distance from the eye of the three vertices of each triangle, in the scene's own units; empty where
+    /// Distance from the eye of the three vertices of each triangle, in any one unit; empty where
     /// the scene has no camera.
     pub w: Vec<[f64; 3]>,
     /// The named values.

@@ -130,6 +130,12 @@ pub enum ChannelError {
     Name(String),
 }
 
+/// Whether a channel or a component can be called so.
+pub(super) fn is_name(name: &str) -> bool {
+    let legal = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
+    name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(legal)
+}
+
 /// One channel, ready: registers in, accumulators of `width` bits, read-outs out.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Channel {
@@ -161,8 +167,7 @@ impl ChannelConfig {
     }
 
     fn channel(&self, name: String) -> Result<Channel, ChannelError> {
-        let legal = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-        if !name.starts_with(|c: char| c.is_ascii_lowercase()) || !name.chars().all(legal) {
+        if !is_name(&name) {
             return Err(ChannelError::Name(name));
         }
         let read = match ReadOut::new(self.guard, self.integer, self.interpolation, self.clamp) {

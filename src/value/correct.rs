@@ -76,7 +76,8 @@ impl Corrector {
     /// The code for the accumulators of u/w and 1/w. Clause `CH-5`.
     #[inline]
     pub fn divided(&self, over: i128, inverse: i128) -> i64 {
-        let (Some(w), over) = (self.w, self.held(over)) else { return self.affine(over) };
+        let w = self.w.unwrap_or_else(|| unreachable!("a correction that takes 1/w"));
+        let over = self.held(over);
         let inverse = w.reduce(inverse).clamp(0, w.top() - 1);
         if inverse == 0 {
             return self.beyond(over);

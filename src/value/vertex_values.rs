@@ -4,7 +4,7 @@ use super::attribute::{AttributeConfig, InverseWConfig};
 
 /// Codes of the vertices of one triangle, in the order in which vertices are given.
 ///
-/// Only [`VertexValues::check`] makes one, so what holds this type need not check again.
+/// Only [`VertexValues::check`] makes one. A model draws it if it goes with the model's own channels.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct VertexValues {
     inverse_w: Option<[i128; 3]>,

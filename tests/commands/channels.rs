@@ -6,44 +6,18 @@ use std::io::Write;
 use std::path::Path;
 use std::process::Stdio;
 
-const CHANNELS: &str = r#"
-[w]
-guard = 1
-integer = 8
-interpolation = 8
-rounding = "nearest-even"
-clamp = "guard"
+/// A channel of 8 bits under the guard clamp, unless `rest` says otherwise.
+fn channel(name: &str, components: &str, interpolation: u32, rest: &str) -> String {
+    format!(
+        "\n[[channel]]\nname = \"{name}\"\ncomponents = {components}\nguard = 1\ninteger = 8\n\
+         interpolation = {interpolation}\nrounding = \"nearest-even\"\nclamp = \"guard\"\n{rest}\n"
+    )
+}
 
-[[channel]]
-name = "color"
-components = ["r", "g"]
-guard = 1
-integer = 8
-interpolation = 4
-rounding = "nearest-even"
-clamp = "guard"
-start-bias = "half"
-correction = "affine"
-
-[[channel]]
-name = "texcoord"
-components = ["u", "v"]
-guard = 1
-integer = 8
-interpolation = 8
-rounding = "nearest-even"
-clamp = "guard"
-correction = { quotient = { rounding = "nearest-even" } }
-
-[[channel]]
-name = "detail"
-components = ["u"]
-guard = 1
-integer = 8
-interpolation = 8
-rounding = "nearest-even"
-clamp = "guard"
-
+/// A colour, texture coordinates by quotient and by a reciprocal unit, a number of each face.
+fn channels() -> String {
+    let w = "\n[w]\nguard = 1\ninteger = 8\ninterpolation = 8\nrounding = \"nearest-even\"\nclamp = \"guard\"\n";
+    let unit = r#"
 [channel.correction.reciprocal]
 rounding = "nearest-even"
 
@@ -52,22 +26,24 @@ operand = 12
 index = 4
 entry = 8
 refine = { newton = { bits = [14] } }
-
-[[channel]]
-name = "face"
-components = ["id"]
-guard = 0
-integer = 8
-interpolation = 0
-rounding = "floor"
-clamp = "wrap"
-correction = { flat = { provoking = "last" } }
 "#;
+    let affine = "start-bias = \"half\"\ncorrection = \"affine\"";
+    let quotient = "correction = { quotient = { rounding = \"nearest-even\" } }";
+    let flat = "correction = { flat = { provoking = \"last\" } }";
+    [
+        w.to_owned(),
+        channel("color", r#"["r", "g"]"#, 4, affine),
+        channel("texcoord", r#"["u", "v"]"#, 8, quotient),
+        channel("detail", r#"["u"]"#, 8, unit),
+        channel("face", r#"["id"]"#, 0, flat),
+    ]
+    .concat()
+}
 
 fn profile(folder: &Path, name: &str, change: [&str; 2]) {
     let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
-    assert!(CHANNELS.contains(change[0]), "{change:?}");
-    let text = tiny + &CHANNELS.replacen(change[0], change[1], 1);
+    assert!(channels().contains(change[0]), "{change:?}");
+    let text = tiny + &channels().replacen(change[0], change[1], 1);
     std::fs::write(folder.join(name), text).unwrap();
 }
 
@@ -192,21 +168,9 @@ fn a_set_has_channels_and_names_their_faults() {
 fn pictures_show_channels_of_a_mesh() {
     let home = tempfile::tempdir().unwrap();
     let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
-    let color = r#"
-[[channel]]
-name = "color"
-components = ["r", "g", "b"]
-guard = 1
-integer = 8
-interpolation = 8
-rounding = "nearest-even"
-clamp = "guard"
-correction = "affine"
-"#;
-    let texture = color
-        .replace("color", "map")
-        .replace(", \"b\"", "")
-        .replace("[[channel]]", "[[channel]]\nsource = \"texcoord\"");
+    let affine = "correction = \"affine\"";
+    let color = channel("color", r#"["r", "g", "b"]"#, 8, affine);
+    let texture = channel("map", r#"["u", "v"]"#, 8, &format!("source = \"texcoord\"\n{affine}"));
     std::fs::write(home.path().join("p.toml"), format!("{tiny}{color}{texture}")).unwrap();
     let mesh = "v 0 0 0 1 0 .5\nv 9 0 0 1 0 .5\nv 9 9 0 1 0 .5\nv 0 9 0 1 0 .5\n\
                 vt .1 .1\nvt .2 .1\nvt .2 .2\nvt .1 .2\nf 1/1 2/2 3/3 4/4\n";

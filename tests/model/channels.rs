@@ -1,19 +1,19 @@
 //! Channels against their clauses, read as plainly as they are written, and against the exact truth.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+mod bounds;
+mod reciprocal;
+mod refused;
+
 use guardbit::bits::Rounding;
 use guardbit::case::Words;
 use guardbit::cover::{DepthAt, MultisampleConfig, SampleConfig, SampleGrid};
-use guardbit::exact::{PlaneNumerator, Rational, edge_value, integer, ratio, round};
-use guardbit::format::Clamp;
-use guardbit::machine::{Face, Input};
+use guardbit::exact::{Rational, edge_value, integer, ratio, round};
+use guardbit::machine::Input;
 use guardbit::model::{Drawing, Model};
-use guardbit::profile::{Profile, load, parse, triangle_machines};
-use guardbit::scene::Shading;
-use guardbit::setup::{Division, Triangle};
-use guardbit::value::{
-    Correction, DepthConfig, EvaluatedAt, Provoking, ReciprocalConfig, Refine, StartBias,
-};
+use guardbit::profile::{Profile, parse};
+use guardbit::setup::Triangle;
+use guardbit::value::{Correction, EvaluatedAt, Provoking, ReciprocalConfig, Refine};
 
 const NEAREST: Rounding = Rounding::NearestEven;
 
@@ -275,124 +275,6 @@ fn codes_are_those_of_the_clauses() {
     }
 }
 
-/// The bound that a machine states for depth of these words.
-fn stated(profile: &Profile, triangle: &Triangle, values: [i128; 3], bits: [u32; 2]) -> Rational {
-    let mut profile = profile.clone();
-    let [integer, interpolation] = bits;
-    profile.depth = Some(DepthConfig {
-        guard: 1,
-        integer,
-        interpolation,
-        rounding: NEAREST,
-        division: Division::Quotient,
-        clamp: Clamp::Guard,
-        start_bias: StartBias::None,
-        format: None,
-    });
-    let model = Model::new(&Profile { channel: Vec::new(), w: None, ..profile.clone() }).unwrap();
-    let exact = PlaneNumerator::new(triangle.xy, values).unwrap();
-    let target = guardbit::machine::Target { grid: profile.grid().unwrap(), clip: model.clip() };
-    let face = Face { triangle, grid: &target.grid, bounds: target.bounds(triangle) };
-    profile.form.depth_bound(&profile.state(), &face, &exact).unwrap()
-}
-
-fn apart(a: &Rational, b: &Rational) -> Rational {
-    if a > b { a - b } else { b - a }
-}
-
-/// Clauses CH-13 and CH-14: on every machine every code is within the stated bound of the exact value.
-#[test]
-fn errors_stay_within_the_stated_bounds() {
-    for correction in corrections() {
-        let walks = correction.walks_w() && !matches!(correction, Correction::ConstantW { .. });
-        if !walks && !matches!(correction, Correction::Affine | Correction::Barycentric { .. }) {
-            continue;
-        }
-        let base = with(correction.clone(), true);
-        for kind in triangle_machines() {
-            let profile = base.with_machine(kind.name).unwrap();
-            let model = Model::new(&profile).unwrap();
-            let (mut checked, mut skipped) = (0, 0);
-            for index in 0..24 {
-                let case = case(1000 + index, true);
-                let (triangle, codes, q) = normalised(&case);
-                if triangle.area2() == 0 {
-                    continue;
-                }
-                let drawing = draw(&model, &case);
-                let mut values = drawing.channels.first().into_iter().flatten();
-                let grid = profile.grid().unwrap();
-                for span in &drawing.spans {
-                    for x in span.x0..span.x1 {
-                        let at = grid.position(x.into(), span.y.into());
-                        for u in codes {
-                            let got = integer((*values.next().unwrap()).into());
-                            let one = integer(1);
-                            let exact = |v: [i128; 3]| plane(triangle.xy, v.map(integer), at);
-                            let over = [0, 1, 2].map(|n| u[n] * q[n]);
-                            let (p, w) = (exact(over), exact(q));
-                            let want = if correction.needs_w() { &p / &w } else { exact(u) };
-                            let bound = match &correction {
-                                Correction::Affine => {
-                                    Some(stated(&profile, &triangle, u, [4, 9]) + &one)
-                                }
-                                Correction::Barycentric { .. } => {
-                                    let rise = (u[1] - u[0]).abs() + (u[2] - u[0]).abs();
-                                    Some(ratio(rise, 2 << 10).unwrap() + &one)
-                                }
-                                // u q counts 2^-5 of u q / 2^5: 9 bits below the point are 4 below that.
-                                _ => perspective(
-                                    (&stated(&profile, &triangle, over, [9, 4]), &p),
-                                    (&stated(&profile, &triangle, q, [5, 9]), &w),
-                                    &correction,
-                                ),
-                            };
-                            match bound {
-                                Some(bound) => {
-                                    let error = apart(&got, &want);
-                                    assert!(
-                                        error <= bound,
-                                        "{} {correction:?} case {index} at {at:?}: {got} for {want}, {error} > {bound}",
-                                        kind.name
-                                    );
-                                    checked += 1;
-                                }
-                                None => skipped += 1,
-                            }
-                        }
-                    }
-                }
-            }
-            assert!(checked > 200 && skipped < checked, "{} {checked} {skipped}", kind.name);
-        }
-    }
-}
-
-/// The bound of CH-14, all in units of 2^-5 of 1/w; nothing where 1/w is lost in its error, or a clamp can act.
-fn perspective(
-    (e_p, p): (&Rational, &Rational),
-    (e_q, q): (&Rational, &Rational),
-    correction: &Correction,
-) -> Option<Rational> {
-    let u = p / q;
-    let magnitude = if u < integer(0) { -&u } else { u.clone() };
-    let room = q - e_q;
-    if room <= integer(0) || q + e_q >= integer(31) {
-        return None;
-    }
-    let spread = (e_p + &magnitude * e_q) / room;
-    Some(match correction {
-        Correction::Reciprocal { unit, .. } => {
-            let worst = unit.unit().unwrap().worst();
-            let error = ratio(worst.error.abs(), 1 << worst.scale).unwrap()
-                + ratio(1, 1 << (unit.operand - 1)).unwrap();
-            // Rounding is a floor.
-            (magnitude + integer(1) + &spread) * error + &spread + integer(1)
-        }
-        _ => spread + ratio(1, 2).unwrap(),
-    })
-}
-
 /// Clause CH-13: a span of the scanline starts at the exact plane, whatever the run before it.
 #[test]
 fn a_span_starts_anew() {
@@ -477,117 +359,4 @@ fn places_are_grids() {
         }
     }
     assert!(partly > 5 && by_sample.next().is_none());
-}
-
-/// Clauses CH-2 and CH-4: codes of reals, and of 1/w from distances.
-#[test]
-fn reals_become_codes() {
-    let model = Model::new(&toy()).unwrap();
-    let codes = |w: [f64; 3], a: [f64; 3]| {
-        let channels = vec![("c".to_owned(), vec![a, [0.0; 3]])];
-        model.shading(&Shading::Reals { channels, w: Some(w) })
-    };
-    let inverse = |w| codes(w, [0.0; 3]).unwrap().inverse_w().unwrap();
-    assert_eq!(inverse([1.0, 2.0, 4.0]), [31, 16, 8]);
-    assert_eq!(inverse([3e300, 3.0, 3.0]), [1, 31, 31]);
-    // The largest code is 15: 0.5 comes to 7.5, the even neighbour is 8.
-    assert_eq!(codes([1.0; 3], [0.5, 0.1, 1.0]).unwrap().components()[0], [8, 2, 15]);
-    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        let error = codes([1.0, bad, 1.0], [0.0; 3]).unwrap_err().to_string();
-        assert!(error.contains("vertex 1") && error.contains("0 < w"), "{error}");
-    }
-    let error = codes([1.0; 3], [0.0, 0.0, f64::NAN]).unwrap_err().to_string();
-    assert!(error.contains("vertex 2: NaN is not finite"), "{error}");
-    let error = codes([1.0; 3], [0.0, 1.1, 0.0]).unwrap_err().to_string();
-    assert!(error.contains("vertex 1: a = 16: 0 <= a <= 15"), "{error}");
-}
-
-/// Clauses CH-1, CH-2 and CH-8: what cannot be is refused with its numbers.
-#[test]
-fn malformed_channels_are_named() {
-    let text = toy().to_toml();
-    let faults = [
-        ("components = [\"a\", \"b\"]", "components = []", "1 <= components <= 4"),
-        ("components = [\"a\", \"b\"]", "components = [\"a\", \"a\"]", "given twice"),
-        ("name = \"c\"", "name = \"C\"", "a-z"),
-        ("name = \"c\"", "name = \"depth\"", "in use"),
-        ("name = \"c\"\n", "name = \"c\"\nunit = 16\n", "1 <= unit <= 15"),
-        ("name = \"c\"\n", "name = \"c\"\nstart-bias = \"half\"\n", "affine"),
-        (
-            "name = \"c\"\n",
-            "name = \"c\"\ndivision = { reciprocal = { bits = 9 } }\n",
-            "division = \"quotient\"",
-        ),
-    ];
-    for (from, to, want) in faults {
-        assert!(text.contains(from), "{text}");
-        let error = parse(&text.replacen(from, to, 1), "c.toml").unwrap_err().to_string();
-        assert!(error.contains(want) && error.contains("c.toml:"), "{want}: {error}");
-    }
-    let refused = |change: fn(&mut Profile), want: &str| {
-        let mut profile = toy();
-        change(&mut profile);
-        let error = profile.validate().unwrap_err().to_string();
-        assert!(error.contains(want), "{want}: {error}");
-    };
-    refused(|p| p.w = None, "[w]");
-    refused(|p| p.channel[0].correction = Correction::Affine, "[w] is given, but no channel");
-    refused(|p| p.channel[0].integer = 33, "1 <= integer <= 32");
-    refused(|p| p.channel[0].interpolation = 100, "> 126");
-    refused(|p| p.channel[0].clamp = Clamp::Saturate, "wrap, guard or sign");
-    refused(|p| p.channel.push(p.channel[0].clone()), "given twice");
-    refused(
-        |p| *p = Profile { channel: p.channel.clone(), w: p.w, ..load("voodoo").unwrap() },
-        "no means for [[channel]]",
-    );
-    refused(
-        |p| {
-            *p = p.with_machine("gouraud").unwrap();
-            p.channel[0].at = EvaluatedAt::Corner;
-        },
-        "at its own sample only",
-    );
-}
-
-/// Clauses CH-9, CH-10, CH-11 and CH-12: every operand of small units, by the clauses; and malformed ones by name.
-#[test]
-fn reciprocals_are_those_of_the_clauses() {
-    let unit = ReciprocalConfig { operand: 10, index: 4, entry: 7, ..unit() };
-    let ready = unit.unit().unwrap();
-    for x in 512..1024 {
-        assert_eq!(i128::from(ready.mantissa(x)), newton(&unit, x.into()), "{x}");
-    }
-    let lines = ReciprocalConfig { refine: Refine::Linear, ..unit.clone() };
-    let ready = lines.unit().unwrap();
-    for x in 512..1024i128 {
-        let j = x >> 5 & 15;
-        let entry = |j: i128| {
-            let exact = integer(128) / (integer(1) + ratio(j, 16).unwrap());
-            rounded(&exact, NEAREST).min(127)
-        };
-        let fall = ratio((entry(j) - entry(j + 1)) * (x & 31), 32).unwrap();
-        let want = entry(j) - rounded(&fall, Rounding::Floor);
-        assert_eq!(i128::from(ready.mantissa(x.try_into().unwrap())), want, "{x}");
-    }
-    // The worst operand is the worst of all, and is reached.
-    let worst = ready.worst();
-    let error = |x: u64| i128::from(x) * i128::from(ready.mantissa(x)) - (1i128 << worst.scale);
-    assert_eq!((512..1024).map(|x| error(x).abs()).max().unwrap(), worst.error.abs());
-    assert_eq!(error(worst.operand), worst.error);
-    let faults = [
-        (ReciprocalConfig { index: 10, ..unit.clone() }, "1 <= index <= 9"),
-        (ReciprocalConfig { entry: 1, ..unit.clone() }, "2 <= entry <= 31"),
-        (ReciprocalConfig { operand: 33, ..unit.clone() }, "2 <= operand <= 32"),
-        (ReciprocalConfig { refine: Refine::Newton { bits: vec![] }, ..unit.clone() }, "0 steps"),
-        (ReciprocalConfig { table: Some(vec![1; 15]), ..unit.clone() }, "needs 16"),
-        (ReciprocalConfig { table: Some(vec![128; 16]), ..unit.clone() }, "2^7 - 1"),
-        (
-            ReciprocalConfig { table: Some((1..18).collect()), refine: Refine::Linear, ..unit },
-            "must not rise",
-        ),
-    ];
-    for (config, want) in faults {
-        let error = config.unit().unwrap_err().to_string();
-        assert!(error.contains(want), "{want}: {error}");
-    }
 }

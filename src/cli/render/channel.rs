@@ -2,11 +2,10 @@
 
 use super::{Arguments, Canvas, Colour, Show, part};
 use crate::cli::failure::Failure;
-use crate::cli::sets::short_name;
+use crate::cli::sets::SnappedScene;
 use guardbit::machine::{Input, Sink};
 use guardbit::model::Model;
 use guardbit::profile::Profile;
-use guardbit::scene;
 use guardbit::value::AttributeConfig;
 
 /// What is painted, and how.
@@ -50,44 +49,27 @@ impl Paint {
         Ok(Some(Self { number, config, squares }))
     }
 
-    /// Draws a scene; returns its name, the triangles drawn, and a summary.
+    /// Draws a scene; returns a summary.
     pub(super) fn draw(
         &self,
         model: &Model,
-        source: &str,
+        (source, scene): (&str, &SnappedScene),
         canvas: &mut Canvas,
-    ) -> Result<(String, usize, String), Failure> {
-        let scene = scene::load(source, &model.viewport())?;
-        let (mut drawn, mut refused, mut first) = (0, 0u64, None);
-        for (n, triangle) in scene.triangles.iter().enumerate() {
-            // What the whole scene lacks is no matter of one triangle.
-            let values = model
-                .scene_values(&scene.attributes, n)
+    ) -> Result<String, Failure> {
+        let mut refused = 0u64;
+        for (n, triangle) in scene.numbers.iter().zip(&scene.triangles) {
+            // What the scene lacks is no matter of one triangle.
+            let values = model.scene_values(&scene.attributes, *n);
+            let values = values
                 .map_err(|error| Failure::input(format!("{source}: triangle {n}: {error}")))?;
-            let placed = model.snap(triangle).map_err(|error| error.to_string());
-            let done = placed.and_then(|placed| {
-                let mut brush = Brush { paint: self, canvas, span: None };
-                let input = Input::Shaded(&placed, &values);
-                model.draw(input, &mut brush).map_err(|error| error.to_string())
-            });
-            match done {
-                Ok(()) => drawn += 1,
-                Err(error) => {
-                    refused += 1;
-                    first.get_or_insert_with(|| format!("triangle {n}: {error}"));
-                }
-            }
-        }
-        if let Some(first) = first {
-            eprintln!(
-                "note: {source}: {refused} triangles are left out; the first reason: {first}"
-            );
+            let mut brush = Brush { paint: self, canvas, seen: Vec::new() };
+            refused += u64::from(model.draw(Input::Shaded(triangle, &values), &mut brush).is_err());
         }
         let samples: u64 = canvas.hits.iter().map(|hits| u64::from(*hits)).sum();
-        let (low, high) = self.config.range();
-        let name = &self.config.name;
-        let summary = format!("{samples} samples, channel {name}, codes {low} to {high}");
-        Ok((short_name(source), drawn, summary))
+        let ((low, high), name) = (self.config.range(), &self.config.name);
+        let refused =
+            if refused > 0 { format!(", {refused} triangles refused") } else { String::new() };
+        Ok(format!("{samples} samples, channel {name}, codes {low} to {high}{refused}"))
     }
 
     /// The colour of one place.
@@ -116,34 +98,22 @@ impl Paint {
 struct Brush<'a> {
     paint: &'a Paint,
     canvas: &'a mut Canvas,
-    /// The places of the run that are nearest so far.
-    span: Option<Vec<usize>>,
+    /// The samples of the run that are nearest so far.
+    seen: Vec<(usize, usize)>,
 }
 
 impl Sink for Brush<'_> {
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
-        let mut seen = Vec::new();
-        for (n, x) in (x0..x1).enumerate() {
-            let at = self.canvas.at(x, y);
-            self.canvas.hits[at] += 1;
-            let near = depth.get(n).copied().unwrap_or(0);
-            if self.canvas.depth[at].is_none_or(|before| near < before) {
-                self.canvas.depth[at] = Some(near);
-                seen.push(n);
-            }
-        }
-        self.span = Some(seen);
+        self.seen = self.canvas.nearer(y, x0, x1, depth);
     }
 
-    fn channel(&mut self, channel: usize, y: u32, x0: u32, values: &[i64]) {
+    fn channel(&mut self, channel: usize, _: u32, _: u32, values: &[i64]) {
         if channel != self.paint.number {
             return;
         }
         let width = self.paint.config.components.len();
-        for n in self.span.take().unwrap_or_default() {
-            let x = x0 + u32::try_from(n).unwrap_or_default();
-            let at = self.canvas.at(x, y);
-            self.canvas.colour[at] = self.paint.colour(&values[n * width..][..width]);
+        for (n, at) in &self.seen {
+            self.canvas.colour[*at] = self.paint.colour(&values[n * width..][..width]);
         }
     }
 }

@@ -3,15 +3,13 @@
 use super::set_up::SetUp;
 use super::{Channels, Places};
 use crate::bits::SpanEvents;
-use crate::format::{Column, Unreduced};
+use crate::format::Unreduced;
 use crate::machine::{Sink, Work};
 
 /// Adds the channels to what a machine draws.
 pub(super) struct ChannelSink<'a> {
     pub(super) channels: &'a Channels,
     pub(super) set_up: Option<SetUp>,
-    /// The columns of the set-up words of a triangle without channels: zeros.
-    pub(super) columns: Vec<Column>,
     pub(super) out: &'a mut dyn Sink,
     /// The run whose masks have not come yet.
     pub(super) open: Option<[u32; 3]>,
@@ -82,9 +80,11 @@ impl Sink for ChannelSink<'_> {
 
     fn setup(&mut self, values: &[Unreduced]) {
         let mut values = values.to_vec();
-        match &self.set_up {
-            Some(set_up) => values.extend(set_up.words()),
-            None => values.extend(self.columns.iter().map(|c| Unreduced::new(0, c.fraction))),
+        if let Some(set_up) = &self.set_up {
+            values.extend(set_up.words());
+        } else {
+            let columns = self.channels.columns.iter();
+            values.extend(columns.map(|column| Unreduced::new(0, column.fraction)));
         }
         self.out.setup(&values);
     }

@@ -3,20 +3,14 @@
 use super::{AttributeConfig, AttributeError, COMPONENTS, Correction, InverseWConfig};
 use crate::format::{Clamp, ReadOut};
 use crate::setup::{Division, VertexConfig};
-use crate::value::StartBias;
+use crate::value::channel::is_name;
+use crate::value::{EvaluatedAt, StartBias};
 
-/// Names that files and values of a set have already.
-const RESERVED: [&str; 12] = [
-    "id", "v", "f", "words", "line", "point", "polygon", "clip", "depth", "triangle", "span",
-    "setup",
-];
+/// The name that the file of the set-up words has: `channel-setup.exp`.
+const SETUP: &str = "setup";
 
 fn check_name(name: &str) -> Result<(), AttributeError> {
-    let legal = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_';
-    if !name.starts_with(|c: char| c.is_ascii_lowercase()) || !name.chars().all(legal) {
-        return Err(AttributeError::Name(name.to_owned()));
-    }
-    Ok(())
+    if is_name(name) { Ok(()) } else { Err(AttributeError::Name(name.to_owned())) }
 }
 
 fn once(names: &[String]) -> Result<(), AttributeError> {
@@ -96,13 +90,17 @@ impl AttributeConfig {
     ) -> Result<ReadOut, AttributeError> {
         let (name, got) = (self.name.clone(), self.components.len());
         check_name(&name)?;
-        if RESERVED.contains(&name.as_str()) {
+        if name == SETUP {
             return Err(AttributeError::Reserved(name));
         }
         if !(1..=4).contains(&got) {
             return Err(AttributeError::Components { name, got });
         }
         once(&self.components)?;
+        let at_centre = matches!(self.at, EvaluatedAt::Centre | EvaluatedAt::Centroid);
+        if at_centre && vertex.sub_pixel == 0 {
+            return Err(AttributeError::NoCentre(name));
+        }
         let what = format!("channel {name:?}");
         let bits = (self.guard, self.integer, self.interpolation);
         let read = read_out(&what, bits, self.clamp)?;
@@ -193,30 +191,25 @@ impl Correction {
     }
 }
 
-/// Checks the channels of a profile together.
+/// Checks the channels of a profile, and returns the formats of their accumulators.
 ///
 /// # Errors
-/// [`AttributeError`] names the violated inequality, and the channel's place in the list if it is one's.
+/// [`AttributeError`] names the violated inequality.
 pub fn validate_channels(
     channels: &[AttributeConfig],
     w: Option<&InverseWConfig>,
     vertex: &VertexConfig,
-) -> Result<(), (Option<usize>, AttributeError)> {
-    if let Some(w) = w {
-        w.validate(vertex).map_err(|error| (None, error))?;
-        if !channels.iter().any(|channel| channel.correction.needs_w()) {
-            return Err((None, AttributeError::UnusedW));
-        }
-    }
+) -> Result<Vec<ReadOut>, AttributeError> {
+    let mut formats = Vec::new();
     for (n, channel) in channels.iter().enumerate() {
-        channel.validate(vertex, w).map_err(|error| (Some(n), error))?;
+        formats.push(channel.validate(vertex, w)?);
         if channels[..n].iter().any(|before| before.name == channel.name) {
-            return Err((Some(n), AttributeError::Twice(channel.name.clone())));
+            return Err(AttributeError::Twice(channel.name.clone()));
         }
     }
     let total = channels.iter().map(|channel| channel.components.len()).sum();
     if total > COMPONENTS {
-        return Err((None, AttributeError::Total(total)));
+        return Err(AttributeError::Total(total));
     }
-    Ok(())
+    Ok(formats)
 }

@@ -16,11 +16,21 @@ pub enum AttributeError {
     /// A name given twice.
     #[error("{0:?} is given twice; rename one")]
     Twice(String),
-    /// A name that a scene or a file has for something else.
-    #[error(
-        "channel {0:?}: this name is in use for another file or value of a set; choose another"
-    )]
+    /// A name that a file of a set has.
+    #[error("channel {0:?}: the name is in use for the set-up words of a set; choose another")]
     Reserved(String),
+    /// Two columns of one name.
+    #[error(
+        "two set-up words would be called {0:?}: a word is called by its channel, its component and what it holds; \
+         rename a channel or a component"
+    )]
+    Column(String),
+    /// A place that is off the lattice.
+    #[error(
+        "channel {0:?}: sub-pixel = 0: a vertex grid without sub-pixels has no pixel centres; write at = \"sample\" \
+         or at = \"corner\""
+    )]
+    NoCentre(String),
     /// No components, or too many.
     #[error("channel {name:?}: {got} components: 1 <= components <= 4 is needed")]
     Components {

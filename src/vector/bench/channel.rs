@@ -73,7 +73,7 @@ impl ChannelBench {
         };
         let triangles = Triangles::new(source, random, (Vec::new(), None), fits, rows);
         let cfg = FileSpec::ordered("channel.cfg", columns(&model));
-        let answers = answers(&model, profile.channel.len());
+        let answers = answers(&model);
         Some(Self { model, triangles, seed: source.seed, cfg, answers })
     }
 
@@ -146,10 +146,10 @@ fn columns(model: &Model) -> Vec<Column> {
 }
 
 /// The set-up words of the channels, and a file of codes for each.
-fn answers(model: &Model, channels: usize) -> ChannelAnswers<FileSpec> {
+fn answers(model: &Model) -> ChannelAnswers<FileSpec> {
     let ports = model.ports();
-    let own = model.channel_columns().to_vec();
-    let codes = ports.channels[..channels].iter().map(|channel| {
+    let own = model.channels().map_or_else(Vec::new, |channels| channels.columns().to_vec());
+    let codes = ports.channels.iter().map(|channel| {
         let mut key = place_columns(PIXEL);
         key.extend(channel.by_sample.then(|| Role::SAMPLE.column(WordFormat::unsigned(5))));
         FileSpec::keyed(format!("channel-{}.exp", channel.name), key, channel.components.clone())

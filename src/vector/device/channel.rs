@@ -41,7 +41,7 @@ impl Device<ChannelTest> for ChannelDrawer {
     fn answer(&mut self, test: &ChannelTest, rows: &mut ChannelAnswers<Table>, _: &mut Coverage) {
         let drawing = self.drawn(test);
         let number = i128::from(test.test);
-        let own = self.model.channel_columns().len();
+        let own = self.model.channels().map_or(0, |channels| channels.columns().len());
         let mut words = drawing.raw_setup();
         // A triangle without area has zeros.
         words.resize(self.model.ports().setup.len(), 0);

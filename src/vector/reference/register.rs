@@ -187,12 +187,8 @@ impl<'a> RegisterText<'a> {
     fn formats(&self, open: char, close: char) -> String {
         let one = |channel: &Channel| {
             let read = channel.read;
-            let clamp = match read.clamp() {
-                _ if self.clamps.len() < 2 => "",
-                Clamp::Guard | Clamp::Error => ", 1",
-                Clamp::Sign => ", 2",
-                Clamp::Wrap | Clamp::Saturate => ", 0",
-            };
+            let several = self.clamps.len() > 1;
+            let clamp = if several { format!(", {}", read.clamp().code()) } else { String::new() };
             let (guard, integer, fraction) = (read.guard(), read.integer(), read.fraction());
             format!("{open}{guard}, {integer}, {fraction}{clamp}{close}")
         };

@@ -112,23 +112,20 @@ fn other_corrections(correction: &Correction) -> Vec<(String, Correction)> {
             };
             list.push((format!("the {name} vertex is provoking"), Correction::Flat { provoking }));
         }
-        Correction::Quotient { rounding } => {
+        Correction::Quotient { rounding } | Correction::ConstantW { rounding } => {
             list.push(affine);
+            let every = |rounding| Correction::Quotient { rounding };
+            let constant = |rounding| Correction::ConstantW { rounding };
+            let (own, other, what): (&dyn Fn(Rounding) -> _, &dyn Fn(Rounding) -> _, _) =
+                if matches!(correction, Correction::Quotient { .. }) {
+                    (&every, &constant, "w is constant along a span")
+                } else {
+                    (&constant, &every, "w is taken at every sample")
+                };
             for rounding in rounded(*rounding) {
-                let what = format!("the quotient is rounded by {rounding}");
-                list.push((what, Correction::Quotient { rounding }));
+                list.push((format!("the quotient is rounded by {rounding}"), own(rounding)));
             }
-            let constant = Correction::ConstantW { rounding: *rounding };
-            list.push(("w is constant along a span".to_owned(), constant));
-        }
-        Correction::ConstantW { rounding } => {
-            list.push(affine);
-            for rounding in rounded(*rounding) {
-                let what = format!("the quotient is rounded by {rounding}");
-                list.push((what, Correction::ConstantW { rounding }));
-            }
-            let every = Correction::Quotient { rounding: *rounding };
-            list.push(("w is taken at every sample".to_owned(), every));
+            list.push((what.to_owned(), other(*rounding)));
         }
         Correction::Reciprocal { unit, rounding } => {
             list.push(affine);

@@ -51,10 +51,7 @@ impl EngineForm for SlopeConfig {
             Plane::AtVertex {} => 0,
             Plane::AtEdge { fraction } => fraction,
         };
-        let place = |name: &String| {
-            let mut names = machine.channels.iter().flat_map(|channel| &channel.names);
-            names.position(|channel| channel == name).map_or(0, |place| place as i128)
-        };
+        let place = |name: &str| machine.channel_place(name).unwrap_or(0);
         let depth = self.depth.as_ref();
         let facts = vec![
             ("FRACTION", fraction.into()),

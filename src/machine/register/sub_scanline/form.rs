@@ -47,9 +47,7 @@ impl EngineForm for SubScanlineConfig {
             ("LONG_SIGN", input.find("long_sign").is_some().into()),
             ("DROP_Z", machine.channels.iter().find(depth)?.drop.into()),
         ];
-        let mut names = machine.channels.iter().flat_map(|channel| &channel.names);
-        let place = names.position(|name| *name == self.depth)?;
-        let facts = vec![("DEPTH_AT", i128::try_from(place).ok()?)];
+        let facts = vec![("DEPTH_AT", machine.channel_place(&self.depth)?)];
         Some(RegisterDevice::wired(WiredEngine::SubScanlines, [values, facts], machine.clone()))
     }
 

@@ -41,6 +41,17 @@ impl Port {
         Self { name: name.to_owned(), c, python, signed: false }
     }
 
+    /// Entry `n` of a list.
+    pub(super) fn entry(name: String, list: &str, n: usize, signed: bool) -> Self {
+        let (c, python) = (format!("r.{list}[{n}]"), format!("self.{list}[{n}]"));
+        Self { name, c, python, signed }
+    }
+
+    /// A number with a sign.
+    pub(super) fn signed(name: &str) -> Self {
+        Self { signed: true, ..Self::plain(name) }
+    }
+
     /// The three vertices.
     pub(super) fn vertices(signed: bool) -> Vec<Self> {
         let mut ports = Vec::new();

@@ -94,12 +94,7 @@ impl EngineText for Quads {
         }
         let pixels = ["tile_x", "tile_y", "x_min", "x_max", "y_min", "y_max"].map(Port::plain);
         let word = |name: &'static str| {
-            (0..3).map(move |k| Port {
-                name: format!("{name}{k}"),
-                c: format!("r.{name}[{k}]"),
-                python: format!("self.{name}[{k}]"),
-                signed: true,
-            })
+            (0..3).map(move |k| Port::entry(format!("{name}{k}"), name, k, true))
         };
         pixels.into_iter().chain(["a", "b", "c"].into_iter().flat_map(word)).collect()
     }

@@ -83,20 +83,13 @@ impl EngineText for Slopes {
     }
 
     fn ports(&self) -> Vec<Port> {
-        let signed = |name: &str| Port { signed: true, ..Port::plain(name) };
-        let listed = |name: String, list: &str, n: usize, signed: bool| Port {
-            name,
-            c: format!("r.{list}[{n}]"),
-            python: format!("self.{list}[{n}]"),
-            signed,
-        };
         let mut ports = Vec::new();
         if self.is_given() {
-            ports.extend(["x", "y", "x_step"].map(signed));
+            ports.extend(["x", "y", "x_step"].map(Port::signed));
             for (n, part) in ["01", "12"].into_iter().enumerate() {
-                ports.push(listed(format!("end{part}"), "end", n, true));
-                ports.push(listed(format!("end{part}_step"), "end_step", n, true));
-                ports.push(listed(format!("rows{part}"), "rows", n, false));
+                ports.push(Port::entry(format!("end{part}"), "end", n, true));
+                ports.push(Port::entry(format!("end{part}_step"), "end_step", n, true));
+                ports.push(Port::entry(format!("rows{part}"), "rows", n, false));
             }
         } else {
             let vertices = Port::vertices(true)
@@ -115,13 +108,13 @@ impl EngineText for Slopes {
         }
         if self.has_depth() {
             ports.extend(["w_buffer", "depth_biased"].map(Port::plain));
-            ports.push(signed("depth_bias"));
+            ports.push(Port::signed("depth_bias"));
         }
         for (n, channel) in self.channels.iter().enumerate() {
             let is_signed = channel.start == Extension::Sign;
-            ports.push(listed(channel.name.clone(), "start", n, is_signed));
-            ports.push(listed(format!("{}_dx", channel.name), "dx", n, true));
-            ports.push(listed(format!("{}_dy", channel.name), "dy", n, true));
+            ports.push(Port::entry(channel.name.clone(), "start", n, is_signed));
+            ports.push(Port::entry(format!("{}_dx", channel.name), "dx", n, true));
+            ports.push(Port::entry(format!("{}_dy", channel.name), "dy", n, true));
         }
         ports
     }

@@ -42,15 +42,9 @@ impl EngineText for SubScanlines {
     }
 
     fn ports(&self) -> Vec<Port> {
-        let signed = |name: &str| Port { signed: true, ..Port::plain(name) };
-        let listed = |name: String, list: &str, n: usize| Port {
-            name,
-            c: format!("r.{list}[{n}]"),
-            python: format!("self.{list}[{n}]"),
-            signed: true,
-        };
+        let listed = |name: String, list: &str, n: usize| Port::entry(name, list, n, true);
         let mut ports = vec![Port::plain("rightward")];
-        ports.extend(["yh", "ym", "yl"].map(signed));
+        ports.extend(["yh", "ym", "yl"].map(Port::signed));
         for (n, name) in ["xh", "xm", "xl"].into_iter().enumerate() {
             ports.push(listed(name.to_owned(), "x", n));
             ports.push(listed(format!("{name}_step"), "x_step", n));
