@@ -13,7 +13,7 @@ use guardbit::machine::Input;
 use guardbit::model::{Drawing, Model};
 use guardbit::profile::{Profile, parse};
 use guardbit::setup::Triangle;
-use guardbit::value::{Correction, EvaluatedAt, Provoking, ReciprocalConfig, Refine};
+use guardbit::value::{Correction, Corrector, EvaluatedAt, Provoking, ReciprocalConfig, Refine};
 
 const NEAREST: Rounding = Rounding::NearestEven;
 
@@ -300,6 +300,26 @@ fn a_span_starts_anew() {
                     assert_eq!(i128::from(*values.next().unwrap()), want, "case {index}");
                 }
             }
+        }
+    }
+}
+
+/// Clause CH-5: where 1/w comes to 0 or below, the code is the farthest on the value's side.
+#[test]
+fn nothing_is_divided_by_zero() {
+    let quotient = Correction::Quotient { rounding: NEAREST };
+    let reciprocal = Correction::Reciprocal { unit: unit(), rounding: NEAREST };
+    for correction in [quotient, reciprocal] {
+        for (signed, want) in [(false, [15, 15, 15]), (true, [-8, 7, 7])] {
+            let profile = with(correction.clone(), signed);
+            let (channel, w) = (&profile.channel[0], profile.w.as_ref());
+            let corrector = Corrector::new(channel, w, &profile.vertex).unwrap();
+            for inverse in [0, -1, -512] {
+                let codes = [-512, 0, 512].map(|over| corrector.divided(over, inverse));
+                assert_eq!(codes, want, "{:?} {inverse}", channel.correction);
+            }
+            // One step of 1/w later there is a quotient again: 0 over anything is 0.
+            assert_eq!(corrector.divided(0, 1), 0);
         }
     }
 }
