@@ -248,9 +248,9 @@ pub trait Sink {
     /// with one covered, and `depth` has a value a pixel or a covered sample: [`Ports::by_sample`].
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]);
 
-    /// A channel's values of the run just given, from column `x0`: at each place the components in their
-    /// order. There is a place a pixel, or one a covered sample: [`ChannelPort::by_sample`].
-    fn channel(&mut self, _channel: usize, _y: u32, _x0: u32, _values: &[i64]) {}
+    /// A channel's codes of the run just given, from column `x0`, for each component. There is a code a
+    /// pixel, or one a covered sample: [`ChannelPort::by_sample`].
+    fn channel(&mut self, _channel: usize, _y: u32, _x0: u32, _components: &[Vec<i64>]) {}
 
     /// The coverage masks of the run just given, where pixels have several samples.
     fn masks(&mut self, _y: u32, _x0: u32, _masks: &[u32]) {}

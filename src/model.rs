@@ -90,7 +90,7 @@ impl Model {
         let (line, point) = (profile.line.unwrap_or_default(), profile.point.unwrap_or_default());
         let lines = Lines::new(line, point, &vertex, target);
         let quick = fill::Quick::new(&profile, depth);
-        let channels = channels(&profile, &*machine, target.grid)?;
+        let channels = channels(&profile, &*machine, target.grid, processor)?;
         let field = VertexField::new(&vertex, profile.depth_max())?;
         let grid = target.grid;
         Ok(Self { profile, field, clip, machine, lines, depth, grid, quick, channels })
@@ -221,13 +221,15 @@ fn channels(
     profile: &Profile,
     machine: &dyn Machine,
     grid: SampleGrid,
+    processor: Processor,
 ) -> Result<Option<(Channels, Ports)>, InvalidProfile> {
     if profile.channel.is_empty() {
         return Ok(None);
     }
     let carrier = machine.carrier().ok_or(InvalidProfile::NoChannels(profile.form.name()))?;
     let (w, vertex) = (profile.w.as_ref(), &profile.vertex);
-    let channels = Channels::new(&profile.channel, w, vertex, grid, profile.multisample, carrier);
+    let means = (carrier, processor);
+    let channels = Channels::new(&profile.channel, w, vertex, grid, profile.multisample, means);
     let channels = channels.map_err(Box::new)?;
     let mut ports = machine.ports().clone();
     ports.setup.extend_from_slice(channels.columns());

@@ -19,7 +19,7 @@ pub use attribute::{
     validate_channels,
 };
 pub use channel::{Channel, ChannelConfig, ChannelError, Extension};
-pub use correct::Corrector;
+pub use correct::{Corrector, InverseRun, Line};
 pub use depth::{Depth, DepthConfig, DepthError, StartBias};
 pub use depth_bias::DepthBias;
 pub use depth_buffer::{Compare, DepthBuffer};

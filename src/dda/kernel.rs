@@ -9,6 +9,7 @@ use super::processor::Processor;
 use crate::bits::Lane;
 use crate::format::Decode;
 use fearless_simd::dispatch;
+use num_traits::AsPrimitive;
 
 /// Samples per block: enough independent additions to fill the widest vector unit twice.
 const BLOCK: usize = 32;
@@ -27,22 +28,28 @@ fn ramp<L: Lane>(slope: L) -> [L; BLOCK] {
 
 /// Reads a row of a plane: `out[n]` is the read-out of `start + n * slope`.
 ///
-/// Formats: lane words as [`Decode::load`] and [`Decode::slope`] make them; results unsigned.
+/// Formats: lane words as [`Decode::load`] and [`Decode::slope`] make them; results unsigned, and what
+/// does not fit `T` is cut off.
 /// Twin: [`super::twin::row_values`].
 #[inline]
-pub fn row_values<L: Lane>(
+pub fn row_values<L: Lane + AsPrimitive<T>, T: Copy + 'static>(
     processor: Processor,
     decode: Decode<L>,
     start: L,
     slope: L,
-    out: &mut [u64],
+    out: &mut [T],
 ) {
     dispatch!(processor.level(), _simd => row_values_body(decode, start, slope, out));
 }
 
 #[inline(always)]
 #[allow(clippy::inline_always, reason = "must inline into the dispatched kernel")]
-fn row_values_body<L: Lane>(decode: Decode<L>, start: L, slope: L, out: &mut [u64]) {
+fn row_values_body<L: Lane + AsPrimitive<T>, T: Copy + 'static>(
+    decode: Decode<L>,
+    start: L,
+    slope: L,
+    out: &mut [T],
+) {
     if out.len() < BLOCK {
         let mut value = start;
         for slot in out {

@@ -51,7 +51,7 @@ impl Processor {
         }
     }
 
-    pub(super) fn level(self) -> Level {
+    pub(crate) fn level(self) -> Level {
         self.0
     }
 }

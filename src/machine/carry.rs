@@ -5,6 +5,7 @@ use crate::bits::Rounding;
 use crate::cover::SampleGrid;
 use crate::format::{Column, ReadOut, Unreduced, WordFormat};
 use crate::setup::{Division, Gradient, Plane, Triangle};
+use crate::value::Line;
 use std::fmt::Debug;
 
 /// The words of a linear value.
@@ -55,9 +56,12 @@ pub trait Carried: Debug {
     /// The set-up words, in the order of [`Carrier::columns`].
     fn setup(&self) -> Vec<Unreduced>;
 
-    /// The unwrapped accumulators of the run of `out.len()` samples from pixel (x, y) rightward. `x` is
-    /// where the covered run begins.
-    fn run(&self, y: u32, x: u32, out: &mut [i128]);
+    /// The unwrapped accumulators of the samples from pixel (x, y) rightward, where they are on a straight
+    /// line. `x` is where the covered run begins.
+    fn line(&self, y: u32, x: u32) -> Option<Line>;
+
+    /// The same as numbers, for a run of `out.len()` samples on no line.
+    fn run(&self, _y: u32, _x: u32, _out: &mut [i128]) {}
 }
 
 /// Start and slopes of a plane, walked on the sample grid. Spec clause `P-2`.
@@ -109,12 +113,8 @@ impl Carried for Plane {
         self.values().into()
     }
 
-    fn run(&self, y: u32, x: u32, out: &mut [i128]) {
-        let (mut value, dx) = (self.at(x.into(), y.into()).raw(), self.dx().raw());
-        for slot in out {
-            *slot = value;
-            value += dx;
-        }
+    fn line(&self, y: u32, x: u32) -> Option<Line> {
+        Some([self.at(x.into(), y.into()).raw(), self.dx().raw()])
     }
 }
 
@@ -150,14 +150,10 @@ impl Carried for Started {
         vec![Unreduced::new(self.dx, self.words.read.fraction())]
     }
 
-    fn run(&self, y: u32, x: u32, out: &mut [i128]) {
+    fn line(&self, y: u32, x: u32) -> Option<Line> {
         let CarriedWords { read, rounding, division, gain } = self.words;
         let numerator = self.gradient.numerator(self.grid.position(x.into(), y.into()));
         let divider = division.by(self.gradient.area2 << self.scale);
-        let mut value = divider.apply(numerator, read.fraction(), rounding).0 + gain;
-        for slot in out {
-            *slot = value;
-            value += self.dx;
-        }
+        Some([divider.apply(numerator, read.fraction(), rounding).0 + gain, self.dx])
     }
 }

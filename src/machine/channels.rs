@@ -7,13 +7,14 @@ mod sink;
 use super::{CarriedWords, Carrier, DrawError, Input, Machine, Sink};
 use crate::bits::bounded;
 use crate::cover::{MultisampleConfig, SampleGrid};
+use crate::dda::Processor;
 use crate::format::{Column, WordFormat};
 use crate::setup::{Division, Snapped, Triangle, VertexConfig};
 use crate::value::{
     AttributeConfig, AttributeError, Correction, Corrector, EvaluatedAt, InverseWConfig,
     VertexValues,
 };
-use sink::ChannelSink;
+use sink::{Buffers, ChannelSink};
 
 /// A channel as files and drawings have it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -37,6 +38,7 @@ pub struct Channels {
     ports: Vec<ChannelPort>,
     /// Set-up words that they add to those of their machine.
     columns: Vec<Column>,
+    processor: Processor,
 }
 
 #[derive(Clone, Debug)]
@@ -44,6 +46,8 @@ struct Channel {
     corrector: Corrector,
     words: CarriedWords,
     places: Places,
+    /// Its place in the profile.
+    number: usize,
     /// Number of its first component among all.
     first: usize,
 }
@@ -76,7 +80,7 @@ impl Channels {
         vertex: &VertexConfig,
         grid: SampleGrid,
         multisample: Option<MultisampleConfig>,
-        carrier: &dyn Carrier,
+        (carrier, processor): (&dyn Carrier, Processor),
     ) -> Result<Self, AttributeError> {
         let sub_pixel = grid.sub_pixel;
         let mut grids = Vec::new();
@@ -123,7 +127,7 @@ impl Channels {
                 by_sample: matches!(places, Places::Samples { .. }),
             });
             let components = config.components.len();
-            list.push(Channel { corrector, words, places, first });
+            list.push(Channel { corrector, words, places, number: list.len(), first });
             first += components;
         }
         let walked = w.filter(|_| configs.iter().any(|config| config.correction.walks_w()));
@@ -131,7 +135,8 @@ impl Channels {
             let (rounding, division, gain) = (w.rounding, Division::Quotient, 0);
             Ok(CarriedWords { read: w.validate(vertex)?, rounding, division, gain })
         });
-        let mut channels = Self { list, w: w.transpose()?, grids, ports, columns: Vec::new() };
+        let w = w.transpose()?;
+        let mut channels = Self { list, w, grids, ports, columns: Vec::new(), processor };
         channels.columns = channels.named(carrier)?;
         Ok(channels)
     }
@@ -227,7 +232,8 @@ impl Channels {
             let turned = given.area2() < 0;
             self.set_up(carrier, &triangle, values, turned)
         });
-        let mut painter = ChannelSink { channels: self, set_up, out, open: None };
+        let mut painter =
+            ChannelSink { channels: self, set_up, out, open: None, buffers: Buffers::default() };
         machine.draw(&Input::Triangle(given), &mut painter)
     }
 }

@@ -88,11 +88,13 @@ impl Sink for Drawing {
         self.depth.extend_from_slice(depth);
     }
 
-    fn channel(&mut self, channel: usize, _: u32, _: u32, values: &[i64]) {
+    fn channel(&mut self, channel: usize, _: u32, _: u32, components: &[Vec<i64>]) {
         if self.channels.len() <= channel {
             self.channels.resize(channel + 1, Vec::new());
         }
-        self.channels[channel].extend_from_slice(values);
+        let places = components.first().map_or(0, Vec::len);
+        let codes = (0..places).flat_map(|n| components.iter().map(move |codes| codes[n]));
+        self.channels[channel].extend(codes);
     }
 
     fn masks(&mut self, _: u32, _: u32, masks: &[u32]) {

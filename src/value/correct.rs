@@ -1,11 +1,17 @@
 //! What a channel's accumulators come to at a sample: the read-out, or the correction for perspective.
 //! Spec clauses `CH-2` to `CH-6`.
 
+mod quotient;
+mod run;
+
+pub use run::{InverseRun, Line};
+
 use super::attribute::{AttributeConfig, AttributeError, Correction, InverseWConfig};
 use super::reciprocal::ReciprocalUnit;
 use crate::bits::{Rounding, bounded};
-use crate::format::ReadOut;
+use crate::format::{Decode, ReadOut};
 use crate::setup::VertexConfig;
+use quotient::Proposal;
 
 /// A channel, ready to be evaluated.
 #[derive(Clone, Debug)]
@@ -15,6 +21,12 @@ pub struct Corrector {
     /// The accumulator of 1/w, of a correction that takes it.
     w: Option<ReadOut>,
     unit: Option<ReciprocalUnit>,
+    /// The read-out in 32-bit and in 64-bit lanes.
+    decode: (Option<Decode<i32>>, Option<Decode<i64>>),
+    /// The quotient in floating point, where that can propose one.
+    proposal: Option<Proposal>,
+    /// Whether every product by a reciprocal fits 64 bits.
+    narrow_product: bool,
 }
 
 impl Corrector {
@@ -37,7 +49,20 @@ impl Corrector {
         let unit = unit
             .transpose()
             .map_err(|error| AttributeError::Reciprocal(config.name.clone(), error))?;
-        Ok(Self { config: config.clone(), read, w, unit })
+        let proposal = match config.correction {
+            Correction::Quotient { rounding } | Correction::ConstantW { rounding } => {
+                w.and_then(|w| {
+                    let places = i32::try_from(w.integer() + w.fraction()).ok()?
+                        - i32::try_from(read.fraction()).ok()?;
+                    Proposal::new(read, config.offset(), places, rounding, config.range())
+                })
+            }
+            _ => None,
+        };
+        let narrow_product =
+            unit.as_ref().is_some_and(|unit| read.integer() + read.fraction() + unit.bits() <= 62);
+        let decode = (read.decode(), read.decode());
+        Ok(Self { config: config.clone(), read, w, unit, decode, proposal, narrow_product })
     }
 
     /// The channel.
@@ -103,18 +128,29 @@ impl Corrector {
         self.clamped(exact)
     }
 
-    /// The code for the weights of the three vertices at a sample. Clause `CH-6`.
-    pub fn weighed(&self, weights: [i128; 3], values: [i128; 3]) -> i64 {
+    /// The coordinates of vertices 1 and 2 for the weights of the three at a sample; `None` where 1/w has
+    /// come to zero. Clause `CH-6`.
+    pub fn coordinates(&self, weights: [i128; 3]) -> Option<[i128; 2]> {
         let Correction::Barycentric { bits, rounding } = self.config.correction else {
             unreachable!("weights of a channel of coordinates")
         };
         let whole: i128 = weights.iter().sum();
-        if whole <= 0 {
-            return self.beyond(values[0]);
-        }
         let share = |k: usize| coordinate(rounding, weights[k] << bits, whole);
+        (whole > 0).then(|| [share(1), share(2)])
+    }
+
+    /// The code for such coordinates. Clause `CH-6`.
+    pub fn weighed(&self, coordinates: Option<[i128; 2]>, values: [i128; 3]) -> i64 {
+        let Correction::Barycentric { bits, .. } = self.config.correction else {
+            unreachable!("coordinates of a channel of coordinates")
+        };
         let [u0, u1, u2] = values;
-        self.clamped(((u0 << bits) + share(1) * (u1 - u0) + share(2) * (u2 - u0)) >> bits)
+        match coordinates {
+            Some([b1, b2]) => {
+                self.clamped(((u0 << bits) + b1 * (u1 - u0) + b2 * (u2 - u0)) >> bits)
+            }
+            None => self.beyond(u0),
+        }
     }
 
     /// Where 1/w has come to zero: the code farthest from 0 on the value's side.

@@ -250,6 +250,14 @@ impl ReciprocalUnit {
         Reciprocal { mantissa: mantissa.into(), exponent: self.bits() + length - 1 }
     }
 
+    /// The same for 64-bit operands: mantissa and exponent.
+    #[inline]
+    pub fn of_narrow(&self, value: u64) -> (i64, u32) {
+        let (length, operand) = (u64::BITS - value.leading_zeros(), self.config.operand);
+        let leading = value << (u64::BITS - length) >> (u64::BITS - operand);
+        (self.mantissa(leading).cast_signed(), self.bits() + length - 1)
+    }
+
     /// The largest relative error over every normalised operand, and the first operand that has it.
     pub fn worst(&self) -> WorstReciprocal {
         let operand = self.config.operand;

@@ -4,6 +4,7 @@
 mod bounds;
 mod reciprocal;
 mod refused;
+mod runs;
 
 use guardbit::bits::Rounding;
 use guardbit::case::Words;

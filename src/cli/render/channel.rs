@@ -107,13 +107,13 @@ impl Sink for Brush<'_> {
         self.seen = self.canvas.nearer(y, x0, x1, depth);
     }
 
-    fn channel(&mut self, channel: usize, _: u32, _: u32, values: &[i64]) {
+    fn channel(&mut self, channel: usize, _: u32, _: u32, components: &[Vec<i64>]) {
         if channel != self.paint.number {
             return;
         }
-        let width = self.paint.config.components.len();
         for (n, at) in &self.seen {
-            self.canvas.colour[*at] = self.paint.colour(&values[n * width..][..width]);
+            let codes: Vec<i64> = components.iter().map(|codes| codes[*n]).collect();
+            self.canvas.colour[*at] = self.paint.colour(&codes);
         }
     }
 }

@@ -3,6 +3,7 @@
 use super::{Barycentric, BarycentricConfig, Weighted};
 use crate::format::{Column, Unreduced, WordFormat};
 use crate::machine::{Carried, CarriedWords, Carrier, LinearValue};
+use crate::value::Line;
 
 /// A value weighed by the coordinates of a triangle.
 #[derive(Debug)]
@@ -35,6 +36,10 @@ impl Carried for Shared {
     fn setup(&self) -> Vec<Unreduced> {
         let Weighted { base, rise, scale, .. } = self.weighted;
         [base, rise[0], rise[1]].map(|raw| Unreduced::new(raw, scale)).into()
+    }
+
+    fn line(&self, _: u32, _: u32) -> Option<Line> {
+        None
     }
 
     fn run(&self, y: u32, x: u32, out: &mut [i128]) {

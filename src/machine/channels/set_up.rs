@@ -3,10 +3,12 @@
 use super::{Channel, Channels};
 use crate::bits::bounded;
 use crate::cover::SampleGrid;
+use crate::dda::Processor;
 use crate::format::Unreduced;
 use crate::machine::{Carried, CarriedWords, Carrier, LinearValue};
 use crate::setup::{EdgeCoefficients, Triangle, edges};
-use crate::value::{Correction, Provoking, VertexValues};
+use crate::value::{Correction, InverseRun, Line, Provoking, VertexValues};
+use std::iter;
 
 /// A triangle's channels, set up.
 #[derive(Debug)]
@@ -110,51 +112,118 @@ impl Channels {
     }
 }
 
+/// What runs of one triangle share, so that no run asks for memory.
+#[derive(Debug, Default)]
+pub(super) struct Scratch {
+    inverse: InverseRun,
+    /// The run, the place and whether 1/w is constant, of which `inverse` is.
+    of: Option<([u32; 3], usize, bool)>,
+    lines: Vec<Line>,
+    accumulators: Vec<i128>,
+    inverses: Vec<i128>,
+    coordinates: Vec<Option<[i128; 2]>>,
+}
+
 impl Channel {
-    /// The values of a run at one place, component by component in each pixel.
+    /// The codes of a run at one place, for each component.
     pub(super) fn run(
         &self,
-        number: usize,
-        set_up: &SetUp,
-        place: usize,
-        [y, x0, x1]: [u32; 3],
-    ) -> Vec<i64> {
-        let at = &set_up.places[place];
-        let (length, components) = ((x1 - x0) as usize, &at.components[number]);
-        let mut out = vec![0; length * components.len()];
-        let mut accumulators = vec![0; length];
-        let mut inverse = Vec::new();
-        if let Some(w) = at.w.as_ref().filter(|_| self.corrector.config().correction.walks_w()) {
-            inverse.resize(length, 0);
-            w.run(y, x0, &mut inverse);
-            if matches!(self.corrector.config().correction, Correction::ConstantW { .. }) {
-                let middle = inverse[(length - 1) / 2];
-                inverse.fill(middle);
-            }
+        processor: Processor,
+        (set_up, place): (&SetUp, usize),
+        run: [u32; 3],
+        scratch: &mut Scratch,
+        out: &mut Vec<Vec<i64>>,
+    ) {
+        let (at, [y, x0, x1]) = (&set_up.places[place], run);
+        let (length, components) = ((x1 - x0) as usize, &at.components[self.number]);
+        out.resize_with(components.len(), Vec::new);
+        for codes in out.iter_mut() {
+            codes.resize(length, 0);
         }
-        for (n, component) in components.iter().enumerate() {
-            let slots = out.iter_mut().skip(n).step_by(components.len());
-            match component {
-                Component::Flat(value) => slots.for_each(|slot| *slot = bounded(*value)),
-                Component::Weighed(values) => {
-                    for (slot, x) in slots.zip(x0..) {
-                        let weights = set_up.weights(at.grid.position(x.into(), y.into()));
-                        *slot = self.corrector.weighed(weights, *values);
+        let config = self.corrector.config();
+        match &components[..] {
+            [Component::Carried(_), ..] => {
+                let carried = components.iter().filter_map(|component| match component {
+                    Component::Carried(carried) => Some(&**carried),
+                    _ => None,
+                });
+                scratch.lines.clear();
+                scratch.lines.extend(carried.clone().map_while(|value| value.line(y, x0)));
+                if scratch.lines.len() < components.len() {
+                    self.carried_run(carried, at, run, scratch, out);
+                } else if !config.correction.walks_w() {
+                    for (line, out) in scratch.lines.iter().zip(out.iter_mut()) {
+                        self.corrector.affine_run(processor, *line, out);
                     }
-                }
-                Component::Carried(carried) => {
-                    carried.run(y, x0, &mut accumulators);
-                    if inverse.is_empty() {
-                        let values = accumulators.iter().map(|value| self.corrector.affine(*value));
-                        slots.zip(values).for_each(|(slot, value)| *slot = value);
-                    } else {
-                        for ((slot, over), w) in slots.zip(&accumulators).zip(&inverse) {
-                            *slot = self.corrector.divided(*over, *w);
+                } else if let (Some(w), Some(read)) = (&at.w, self.corrector.w_read_out()) {
+                    let constant = matches!(config.correction, Correction::ConstantW { .. });
+                    if scratch.of != Some((run, place, constant)) {
+                        let [mut start, mut step] = w.line(y, x0).unwrap_or_default();
+                        if constant {
+                            start += step * i128::from((x1 - x0 - 1) / 2);
+                            step = 0;
                         }
+                        scratch.inverse.begin(processor, read, [start, step], length);
+                        scratch.of = Some((run, place, constant));
                     }
+                    let Scratch { inverse, lines, .. } = scratch;
+                    self.corrector.divided_run(processor, lines, inverse, out);
                 }
             }
+            [Component::Weighed(_), ..] => {
+                let weights = (x0..x1).map(|x| {
+                    let weights = set_up.weights(at.grid.position(x.into(), y.into()));
+                    self.corrector.coordinates(weights)
+                });
+                scratch.coordinates.clear();
+                scratch.coordinates.extend(weights);
+            }
+            _ => {}
         }
-        out
+        for (component, out) in components.iter().zip(out.iter_mut()) {
+            match component {
+                Component::Flat(value) => out.fill(bounded(*value)),
+                Component::Weighed(values) => {
+                    for (slot, coordinates) in out.iter_mut().zip(&scratch.coordinates) {
+                        *slot = self.corrector.weighed(*coordinates, *values);
+                    }
+                }
+                Component::Carried(_) => {}
+            }
+        }
+    }
+
+    /// The codes of a run whose accumulators are on no line.
+    fn carried_run<'a>(
+        &self,
+        components: impl Iterator<Item = &'a dyn Carried>,
+        at: &Place,
+        [y, x0, x1]: [u32; 3],
+        scratch: &mut Scratch,
+        out: &mut [Vec<i64>],
+    ) {
+        let length = (x1 - x0) as usize;
+        let Scratch { accumulators, inverses, .. } = scratch;
+        let correction = &self.corrector.config().correction;
+        let w = at.w.as_ref().filter(|_| correction.walks_w());
+        if let Some(w) = w {
+            inverses.resize(length, 0);
+            w.run(y, x0, inverses);
+            if matches!(correction, Correction::ConstantW { .. }) {
+                let middle = inverses[(length - 1) / 2];
+                inverses.fill(middle);
+            }
+        }
+        accumulators.resize(length, 0);
+        for (component, out) in components.zip(out) {
+            component.run(y, x0, accumulators);
+            let values = accumulators.iter().zip(inverses.iter().chain(iter::repeat(&0)));
+            for (slot, (over, inverse)) in out.iter_mut().zip(values) {
+                *slot = match w {
+                    Some(_) => self.corrector.divided(*over, *inverse),
+                    None => self.corrector.affine(*over),
+                };
+            }
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! The sink between a machine and what it draws to: it adds the channels.
 
-use super::set_up::SetUp;
+use super::set_up::{Scratch, SetUp};
 use super::{Channels, Places};
 use crate::bits::SpanEvents;
 use crate::format::Unreduced;
@@ -13,6 +13,17 @@ pub(super) struct ChannelSink<'a> {
     pub(super) out: &'a mut dyn Sink,
     /// The run whose masks have not come yet.
     pub(super) open: Option<[u32; 3]>,
+    pub(super) buffers: Buffers,
+}
+
+/// Codes on their way.
+#[derive(Debug, Default)]
+pub(super) struct Buffers {
+    scratch: Scratch,
+    /// By place, then component.
+    at: Vec<Vec<Vec<i64>>>,
+    /// Those that leave, by component.
+    chosen: Vec<Vec<i64>>,
 }
 
 impl ChannelSink<'_> {
@@ -23,53 +34,68 @@ impl ChannelSink<'_> {
     /// The values of one run, of the channels that need masks or of the others.
     fn run(&mut self, run: [u32; 3], masks: Option<&[u32]>) {
         let Some(set_up) = &self.set_up else { return };
-        for (n, channel) in self.channels.list.iter().enumerate() {
+        let Buffers { scratch, at, chosen } = &mut self.buffers;
+        for (number, channel) in self.channels.list.iter().enumerate() {
             if Self::needs_masks(channel.places) != masks.is_some() {
                 continue;
             }
-            let at = |place: usize| channel.run(n, set_up, place, run);
+            let mut fill = |place: usize, out: &mut Vec<Vec<i64>>| {
+                let processor = self.channels.processor;
+                channel.run(processor, (set_up, place), run, scratch, out);
+            };
+            at.resize_with(self.channels.grids.len().max(1), Vec::new);
             let width = channel.corrector.config().components.len();
-            let values = match (channel.places, masks) {
-                (Places::One(place), _) => at(place),
+            chosen.resize_with(width, Vec::new);
+            chosen.iter_mut().for_each(Vec::clear);
+            match (channel.places, masks) {
+                (Places::One(place), _) => fill(place, chosen),
                 (Places::Samples { samples, count }, Some(masks)) => {
-                    let by_sample: Vec<_> = (samples..samples + count as usize).map(at).collect();
-                    let mut values = Vec::new();
-                    for (pixel, mask) in masks.iter().enumerate() {
-                        for (_, own) in
-                            by_sample.iter().enumerate().filter(|(n, _)| mask >> n & 1 == 1)
-                        {
-                            values.extend_from_slice(&own[pixel * width..][..width]);
-                        }
+                    let samples = samples..samples + count as usize;
+                    for (codes, place) in at[samples.clone()].iter_mut().zip(samples.clone()) {
+                        fill(place, codes);
                     }
-                    values
+                    let at = &at[samples];
+                    for (pixel, mask) in masks.iter().enumerate() {
+                        let own = at.iter().enumerate().filter(|(n, _)| mask >> n & 1 == 1);
+                        own.for_each(|(_, codes)| take(chosen, codes, pixel));
+                    }
                 }
                 (Places::Centroid { centre, samples, count }, Some(masks)) => {
-                    let grids = &self.channels.grids;
-                    let chosen = |mask: u32| {
-                        if mask.count_ones() == count {
-                            return centre;
-                        }
-                        let middle = grids[centre].offset;
-                        let far = |n: &u32| {
-                            let offset = grids[samples + *n as usize].offset;
-                            (0..2).map(|axis| (offset[axis] - middle[axis]).pow(2)).sum::<i128>()
-                        };
-                        let covered = (0..count).filter(|n| mask >> n & 1 == 1);
-                        samples + covered.min_by_key(far).unwrap_or_default() as usize
-                    };
-                    let mut known: Vec<Option<Vec<i64>>> = vec![None; grids.len()];
-                    let mut values = Vec::new();
+                    let mut known = vec![false; self.channels.grids.len()];
                     for (pixel, mask) in masks.iter().enumerate() {
-                        let place = chosen(*mask);
-                        let own = known[place].get_or_insert_with(|| at(place));
-                        values.extend_from_slice(&own[pixel * width..][..width]);
+                        let place = self.channels.centroid(*mask, (centre, samples, count));
+                        if !known[place] {
+                            fill(place, &mut at[place]);
+                            known[place] = true;
+                        }
+                        take(chosen, &at[place], pixel);
                     }
-                    values
                 }
                 _ => continue,
-            };
-            self.out.channel(n, run[0], run[1], &values);
+            }
+            self.out.channel(number, run[0], run[1], chosen);
         }
+    }
+}
+
+/// Adds the codes of a pixel.
+fn take(to: &mut [Vec<i64>], from: &[Vec<i64>], pixel: usize) {
+    to.iter_mut().zip(from).for_each(|(to, from)| to.push(from[pixel]));
+}
+
+impl Channels {
+    /// The place of a pixel that is evaluated at its centroid. Spec clause `CH-7`.
+    fn centroid(&self, mask: u32, (centre, samples, count): (usize, usize, u32)) -> usize {
+        if mask.count_ones() == count {
+            return centre;
+        }
+        let middle = self.grids[centre].offset;
+        let far = |n: &u32| {
+            let offset = self.grids[samples + *n as usize].offset;
+            (0..2).map(|axis| (offset[axis] - middle[axis]).pow(2)).sum::<i128>()
+        };
+        let covered = (0..count).filter(|n| mask >> n & 1 == 1);
+        samples + covered.min_by_key(far).unwrap_or_default() as usize
     }
 }
 

@@ -3,6 +3,7 @@
 use super::{Gouraud, descend};
 use crate::format::{Column, Unreduced};
 use crate::machine::{Carried, CarriedWords, Carrier, LinearValue, WalkedEdge};
+use crate::value::Line;
 
 /// A value walked down three edges.
 #[derive(Debug)]
@@ -48,7 +49,7 @@ impl Carried for Walked {
         self.edges.iter().flat_map(edge).collect()
     }
 
-    fn run(&self, y: u32, x: u32, out: &mut [i128]) {
+    fn line(&self, y: u32, x: u32) -> Option<Line> {
         let row = i128::from(y);
         let crossed =
             self.edges.iter().flatten().filter(|(x, _)| (x.first_row..x.end_row).contains(&row));
@@ -60,10 +61,6 @@ impl Carried for Walked {
             .collect();
         cuts.sort_unstable();
         let [left, right] = cuts[..] else { unreachable!("a covered row has two cuts") };
-        let [mut value, slope] = self.machine.along(self.words.rounding, x, [left, right]);
-        for slot in out {
-            *slot = value;
-            value += slope;
-        }
+        Some(self.machine.along(self.words.rounding, x, [left, right]))
     }
 }
