@@ -209,6 +209,30 @@ impl Rounding {
         (floor + self.raises(floor & 1 != 0, value < 0, dropped) as i128, rest != 0)
     }
 
+    /// [`Rounding::shift_right`] of a number of at most 62 bits by at most 62 places, without branches.
+    /// Spec clause `R-2`.
+    #[inline]
+    pub(crate) const fn shift_right_narrow(self, value: i64, shift: u32) -> i64 {
+        debug_assert!(value.unsigned_abs() >> 62 == 0 && shift <= 62, "62 bits");
+        let (rest, negative) = ((1 << shift) - 1, value >> 63 & 1);
+        let (half, odd) = (((rest + 1) >> 1) & rest, value >> shift & 1);
+        // What carries into the last kept bit exactly where the rounding raises.
+        let raise = match self {
+            Self::Floor => 0,
+            Self::Ceiling => rest,
+            Self::TowardZero => rest * negative,
+            Self::AwayFromZero => rest * (1 - negative),
+            Self::Odd => rest * (1 - odd),
+            _ if shift == 0 => 0,
+            Self::NearestUp => half,
+            Self::NearestDown => half - 1,
+            Self::NearestEven => half - 1 + odd,
+            Self::NearestAway => half - negative,
+            Self::NearestTowardZero => half - 1 + negative,
+        };
+        (value + raise) >> shift
+    }
+
     /// `numerator / denominator`, rounded once, and whether anything was dropped.
     /// `None` when the denominator is zero or the quotient does not fit. Spec clause `R-3`.
     ///
@@ -243,5 +267,25 @@ impl Rounding {
 impl std::fmt::Display for Rounding {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(self.names().guardbit)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Rounding;
+
+    /// Clause R-2, of numbers of few bits by all shifts, and at the ends.
+    #[test]
+    fn a_narrow_shift_is_the_shift() {
+        let ends = [(1 << 62) - 1, 1 - (1 << 62), 3 << 60, -(3 << 60), 5 << 59];
+        for value in (-70..=70).chain(ends) {
+            for shift in (0..=9).chain(55..=62) {
+                for rounding in Rounding::ALL {
+                    let plain = rounding.shift_right(value.into(), shift).0;
+                    let narrow = rounding.shift_right_narrow(value, shift);
+                    assert_eq!(i128::from(narrow), plain, "{value} >> {shift}, {rounding}");
+                }
+            }
+        }
     }
 }

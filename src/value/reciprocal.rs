@@ -1,6 +1,7 @@
 //! A reciprocal unit: normalise, look up, refine. Spec clauses `CH-9` to `CH-12`.
 
 use crate::bits::{Rounding, bounded};
+use num_traits::PrimInt;
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -278,11 +279,23 @@ impl ReciprocalUnit {
 /// A Newton step: from y of m bits to b bits, for x of p bits. Spec clause `CH-12`.
 #[inline]
 fn newton((x, p): (u64, u32), (y, m): (u64, u32), b: u32) -> u64 {
-    let product = u128::from(x) * u128::from(y);
+    if p + m <= 64 && m + b + 2 <= 64 {
+        return newton_in::<u64>((x, p), (y, m), b);
+    }
+    bounded(newton_in::<u128>((x.into(), p), (y.into(), m), b))
+}
+
+/// The same in integers that hold `p + m` and `m + b + 2` bits.
+#[inline]
+fn newton_in<T: PrimInt>((x, p): (T, u32), (y, m): (T, u32), b: u32) -> T {
     // x has p - 1 bits below its one, y has m.
-    let places = p - 1 + m;
-    let product = if places >= b { product >> (places - b) } else { product << (b - places) };
-    let rest = (2u128 << b).saturating_sub(product);
-    let next = (u128::from(y) * rest) >> m;
-    bounded(next.min((1 << b) - 1))
+    let (product, places) = (x * y, p - 1 + m);
+    let product = if places >= b {
+        product.unsigned_shr(places - b)
+    } else {
+        product.unsigned_shl(b - places)
+    };
+    let (one, two) = (T::one(), T::one().unsigned_shl(b + 1));
+    let rest = if product > two { T::zero() } else { two - product };
+    (y * rest).unsigned_shr(m).min(one.unsigned_shl(b) - one)
 }

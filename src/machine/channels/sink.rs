@@ -46,7 +46,9 @@ impl ChannelSink<'_> {
             at.resize_with(self.channels.grids.len().max(1), Vec::new);
             let width = channel.corrector.config().components.len();
             chosen.resize_with(width, Vec::new);
-            chosen.iter_mut().for_each(Vec::clear);
+            if masks.is_some() {
+                chosen.iter_mut().for_each(Vec::clear);
+            }
             match (channel.places, masks) {
                 (Places::One(place), _) => fill(place, chosen),
                 (Places::Samples { samples, count }, Some(masks)) => {

@@ -1,5 +1,9 @@
 //! Quotients along a run: floating point proposes a code, and says where integers have to decide.
 //! Spec clause `CH-5`.
+#![allow(
+    clippy::needless_range_loop,
+    reason = "parallel arrays by index are what the vectoriser sees through"
+)]
 
 use super::run::Line;
 use crate::bits::Rounding;
@@ -39,7 +43,7 @@ const MULTIPLES: [f64; BLOCK] = {
     multiples
 };
 
-/// The reciprocals of a run of positive integers; empty where there are none.
+/// The reciprocals of a run of positive integers.
 #[derive(Debug, Default)]
 pub(super) struct Reciprocals(Vec<f64>);
 
@@ -49,14 +53,6 @@ impl Reciprocals {
         self.0.resize(length, 0.0);
         dispatch!(processor.level(), _simd => reciprocals_body(line, top, &mut self.0));
     }
-
-    pub(super) fn clear(&mut self) {
-        self.0.clear();
-    }
-
-    pub(super) fn len(&self) -> usize {
-        self.0.len()
-    }
 }
 
 #[inline(always)]
@@ -64,32 +60,44 @@ impl Reciprocals {
 fn reciprocals_body(line: Line, top: i128, out: &mut [f64]) {
     let [mut base, step] = line.map(real);
     let (most, stride) = (real(top - 1), step * real(BLOCK as i128));
-    for block in out.chunks_mut(BLOCK) {
-        for (slot, n) in block.iter_mut().zip(&MULTIPLES) {
-            let value = base + n * step;
-            *slot = 1.0 / if value > most { most } else { value };
+    let offsets = MULTIPLES.map(|n| n * step);
+    let of = |value: f64| 1.0 / if value > most { most } else { value };
+    let (blocks, rest) = out.as_chunks_mut::<BLOCK>();
+    for block in blocks {
+        for n in 0..BLOCK {
+            block[n] = of(base + offsets[n]);
         }
         base += stride;
     }
+    rest.iter_mut().zip(&offsets).for_each(|(slot, offset)| *slot = of(base + offset));
 }
 
 /// A quotient of the accumulators of u/w and 1/w as floating point proposes it.
 ///
-/// The proposal `over * (1 / inverse) * scale` errs by less than `edge`, as it is rounded twice and its
-/// offset once, each by 2^-53 of a number below 2^(i + 2). So it is the code, unless it lies within `edge`
-/// of the place where the rounding goes from one code to the next.
+/// The proposal `over * scale * (1 / inverse) + offset` is rounded three times, each time by at most 2^-53
+/// of a number below 2^(i + 2), before it goes to the nearest integer. So that is the code, unless the
+/// proposal lies about half way between two.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Proposal {
     /// Places between the two binary points.
     scale: f64,
-    /// The held accumulator's ends.
+    /// The held accumulator's ends, scaled.
     held: [f64; 2],
-    /// The smallest and the largest code.
+    /// What all proposals beyond the smallest and the largest code become.
     code: [f64; 2],
-    /// Added before a rounding to nearest: for a quotient below 0, for others.
+    /// Added before a rounding to nearest: always, and times the sign.
     offset: [f64; 2],
+    /// Whether that is nothing.
+    nearest: bool,
     /// The farthest that a sure proposal lies from its code.
     sure: f64,
+}
+
+#[inline(always)]
+#[allow(clippy::inline_always, reason = "must inline into the dispatched kernel")]
+fn hold(value: f64, [low, high]: [f64; 2]) -> f64 {
+    let value = if value < low { low } else { value };
+    if value > high { high } else { value }
 }
 
 impl Proposal {
@@ -103,23 +111,25 @@ impl Proposal {
     ) -> Option<Self> {
         let offsets = match rounding {
             Rounding::Odd => return None,
-            Rounding::Floor => [-0.5; 2],
-            Rounding::Ceiling => [0.5; 2],
-            Rounding::TowardZero => [0.5, -0.5],
-            Rounding::AwayFromZero => [-0.5, 0.5],
+            Rounding::Floor => [-0.5, 0.0],
+            Rounding::Ceiling => [0.5, 0.0],
+            Rounding::TowardZero => [0.0, -0.5],
+            Rounding::AwayFromZero => [0.0, 0.5],
             _ => [0.0; 2],
         };
         let lowest = -(offset << read.fraction());
         let highest = read.top() - 1 + lowest;
-        if read.top() > EXACT || !(-512..=512).contains(&places) {
+        if read.top() > EXACT {
             return None;
         }
-        let bits = i32::try_from(read.integer()).unwrap_or(i32::MAX);
+        let (bits, scale) = (i32::try_from(read.integer()).ok()?, power(places));
         Some(Self {
-            scale: power(places),
-            held: [lowest, highest].map(real),
-            code: [low, high].map(real),
+            scale,
+            held: [lowest, highest].map(|end| real(end) * scale),
+            // Nearer to the last code than any place where the rounding changes.
+            code: [real(low) - 0.25, real(high) + 0.25],
             offset: offsets,
+            nearest: rounding.is_nearest(),
             sure: 0.5 - power(bits + 4 - 52),
         })
     }
@@ -134,58 +144,72 @@ impl Proposal {
         unsure: &mut Vec<usize>,
     ) {
         unsure.clear();
-        dispatch!(processor.level(), _simd => self.body(line, &reciprocals.0, out, unsure));
-    }
-
-    #[inline(always)]
-    #[allow(clippy::inline_always, reason = "must inline into the dispatched kernel")]
-    fn body(&self, line: Line, reciprocals: &[f64], out: &mut [i64], unsure: &mut Vec<usize>) {
-        let [mut base, step] = line.map(real);
-        let stride = step * real(BLOCK as i128);
-        let mut far = [0.0; BLOCK];
-        let blocks = out.chunks_mut(BLOCK).zip(reciprocals.chunks(BLOCK));
-        for (number, (block, reciprocals)) in blocks.enumerate() {
-            let any = self.block(base, step, reciprocals, block, &mut far);
-            base += stride;
-            if any {
-                let far = far.iter().take(block.len()).enumerate();
-                let doubts = far.filter(|(_, far)| **far > self.sure);
-                unsure.extend(doubts.map(|(n, _)| number * BLOCK + n));
-            }
+        let reciprocals = &reciprocals.0;
+        let inside = [line[0], line[0] + line[1] * out.len() as i128]
+            .iter()
+            .all(|value| (self.held[0]..=self.held[1]).contains(&(real(*value) * self.scale)));
+        if inside && self.nearest {
+            // The usual case: nothing to clamp, and a rounding to nearest.
+            dispatch!(processor.level(), _simd => self.body::<true>(line, reciprocals, out, unsure));
+        } else {
+            dispatch!(processor.level(), _simd => self.body::<false>(line, reciprocals, out, unsure));
         }
     }
 
-    /// Whether any is unsure.
     #[inline(always)]
     #[allow(clippy::inline_always, reason = "must inline into the dispatched kernel")]
-    fn block(
-        &self,
-        base: f64,
-        step: f64,
+    fn body<const PLAIN: bool>(
+        self,
+        line: Line,
         reciprocals: &[f64],
         out: &mut [i64],
-        far: &mut [f64; BLOCK],
-    ) -> bool {
-        let held = |value: f64, [low, high]: [f64; 2]| {
-            let value = if value < low { low } else { value };
-            if value > high { high } else { value }
+        unsure: &mut Vec<usize>,
+    ) {
+        let [mut base, step] = line.map(|value| real(value) * self.scale);
+        let (offsets, stride) = (MULTIPLES.map(|n| n * step), step * real(BLOCK as i128));
+        let (blocks, rest) = out.as_chunks_mut::<BLOCK>();
+        let (inverses, inverse) = reciprocals.as_chunks::<BLOCK>();
+        let doubts = |number: usize, base: f64, inverses: &[f64], unsure: &mut Vec<usize>| {
+            for (n, (offset, inverse)) in offsets.iter().zip(inverses).enumerate() {
+                if self.code::<PLAIN>(base + offset, *inverse).1 > self.sure {
+                    unsure.push(number * BLOCK + n);
+                }
+            }
         };
-        // A quotient beyond the codes is held where no rounding goes from one code to the next.
-        let beyond = [self.code[0] - 0.75, self.code[1] + 0.75];
-        let [below, above] = self.offset;
-        let mut any = 0;
-        let slots = out.iter_mut().zip(far).zip(reciprocals).zip(&MULTIPLES);
-        for (((slot, far), inverse), n) in slots {
-            let over = held(base + n * step, self.held);
-            let quotient = held(over * inverse * self.scale, beyond);
-            let moved = quotient + if quotient < 0.0 { below } else { above };
-            let nearest = (moved + SHIFTER) - SHIFTER;
-            *far = (moved - nearest).abs();
-            any |= u64::from(*far > self.sure);
-            let code = held(nearest, self.code) + SHIFTER;
-            *slot = code.to_bits().wrapping_sub(SHIFTER.to_bits()).cast_signed();
+        let number = blocks.len();
+        for (number, (block, inverses)) in blocks.iter_mut().zip(inverses).enumerate() {
+            let mut any = 0;
+            for n in 0..BLOCK {
+                let (code, far) = self.code::<PLAIN>(base + offsets[n], inverses[n]);
+                block[n] = code;
+                any |= u64::from(far > self.sure);
+            }
+            if any != 0 {
+                doubts(number, base, inverses, unsure);
+            }
+            base += stride;
         }
-        any != 0
+        for ((slot, offset), inverse) in rest.iter_mut().zip(&offsets).zip(inverse) {
+            *slot = self.code::<PLAIN>(base + offset, *inverse).0;
+        }
+        doubts(number, base, inverse, unsure);
+    }
+
+    /// A code, and how far from it the proposal lies.
+    #[inline(always)]
+    #[allow(clippy::inline_always, reason = "must inline into the dispatched kernel")]
+    fn code<const PLAIN: bool>(self, over: f64, inverse: f64) -> (i64, f64) {
+        let moved = if PLAIN {
+            over * inverse
+        } else {
+            let quotient = hold(over, self.held) * inverse;
+            let [up, away] = self.offset;
+            quotient + up + away * 1f64.copysign(quotient)
+        };
+        let moved = hold(moved, self.code);
+        let sum = moved + SHIFTER;
+        let code = sum.to_bits().wrapping_sub(SHIFTER.to_bits()).cast_signed();
+        (code, (moved - (sum - SHIFTER)).abs())
     }
 }
 

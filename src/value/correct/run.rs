@@ -14,8 +14,10 @@ pub type Line = [i128; 2];
 #[derive(Debug, Default)]
 pub struct InverseRun {
     line: Line,
-    /// 1 / (the accumulator as its read-out sees it); empty where that is not exact or comes to 0.
+    /// 1 / (the accumulator as its read-out sees it).
     reciprocals: Reciprocals,
+    /// Whether those are of this run: no value wraps or comes to 0, and floating point holds each.
+    straight: bool,
     /// Mantissa and exponent of the same by a reciprocal unit.
     mantissas: Vec<(i64, u32)>,
     /// Samples that floating point cannot be sure of.
@@ -37,10 +39,10 @@ impl InverseRun {
     /// Takes the accumulators of another run.
     pub fn begin(&mut self, processor: Processor, read: ReadOut, line: Line, length: usize) {
         self.line = line;
-        self.reciprocals.clear();
         let last = at(line, length.saturating_sub(1));
         let positive = line[0] > 0 && last > 0;
-        if positive && is_exact(line, length) && is_inside(read, 0, line, length) {
+        self.straight = positive && is_exact(line, length) && is_inside(read, 0, line, length);
+        if self.straight {
             self.reciprocals.fill(processor, line, read.top(), length);
         }
     }
@@ -82,13 +84,12 @@ impl Corrector {
         out: &mut [Vec<i64>],
     ) {
         let offset = self.config.offset() << self.read.fraction();
-        let InverseRun { line: w, reciprocals, mantissas, unsure } = inverse;
+        let InverseRun { line: w, reciprocals, straight, mantissas, unsure } = inverse;
         let mut looked_up = false;
         for (over, out) in lines.iter().zip(out) {
             let length = out.len();
-            let straight = reciprocals.len() == length
-                && is_exact(*over, length)
-                && is_inside(self.read, offset, *over, length);
+            let straight =
+                *straight && is_exact(*over, length) && is_inside(self.read, offset, *over, length);
             match (&self.proposal, &self.unit) {
                 (Some(proposal), None) if straight => {
                     proposal.run(processor, *over, reciprocals, out, unsure);
@@ -132,18 +133,23 @@ impl Corrector {
         let lowest = -(self.config.offset() << self.read.fraction());
         let [low, high]: [i64; 2] = [lowest, lowest + self.read.top() - 1].map(bounded);
         let codes = self.config.range();
-        let codes: [i64; 2] = [codes.0, codes.1].map(bounded);
+        let [smallest, largest]: [i64; 2] = [codes.0, codes.1].map(bounded);
         let (below, fraction) = (w.integer() + w.fraction(), self.read.fraction());
         let [mut value, step] = line.map(bounded::<_, i64>);
         for (slot, (mantissa, exponent)) in out.iter_mut().zip(reciprocals) {
             let product = value.clamp(low, high) * mantissa;
             let places = fraction + exponent;
-            let exact = if places >= below {
-                rounding.shift_right(product.into(), places - below).0
-            } else {
-                i128::from(product) << (below - places)
+            let wide = match (places.checked_sub(below), i128::from(product)) {
+                (Some(places @ ..=62), _) => {
+                    let exact = rounding.shift_right_narrow(product, places);
+                    *slot = exact.clamp(smallest, largest);
+                    value += step;
+                    continue;
+                }
+                (Some(places), product) => rounding.shift_right(product, places).0,
+                (None, product) => product << (below - places),
             };
-            *slot = bounded::<_, i64>(exact.clamp(codes[0].into(), codes[1].into()));
+            *slot = bounded(wide.clamp(smallest.into(), largest.into()));
             value += step;
         }
     }

@@ -24,16 +24,13 @@ fn both(profile: &Profile, over: &[Line], inverse: Line, length: usize) -> [Vec<
     let plain: Vec<Vec<i64>> = over.iter().map(plain).collect();
     let mut quick = vec![vec![0; length]; over.len()];
     for processor in Processor::available() {
-        match w {
-            Some(w) => {
-                let mut run = InverseRun::default();
-                run.begin(processor, w, inverse, length);
-                corrector.divided_run(processor, over, &mut run, &mut quick);
-            }
-            None => {
-                let lines = over.iter().zip(&mut quick);
-                lines.for_each(|(line, out)| corrector.affine_run(processor, *line, out));
-            }
+        if let Some(w) = w {
+            let mut run = InverseRun::default();
+            run.begin(processor, w, inverse, length);
+            corrector.divided_run(processor, over, &mut run, &mut quick);
+        } else {
+            let lines = over.iter().zip(&mut quick);
+            lines.for_each(|(line, out)| corrector.affine_run(processor, *line, out));
         }
         assert_eq!(quick, plain, "{}: {over:?} over {inverse:?}", processor.name());
     }
