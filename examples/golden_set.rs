@@ -19,6 +19,7 @@ fn set(profile: Profile, folder: &Path) -> Result<(), Box<dyn Error>> {
         profile,
         scene_name: "none".to_owned(),
         scene: Arc::default(),
+        values: Arc::default(),
         refused: 0,
     };
     let options = Options {

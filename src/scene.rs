@@ -1,9 +1,9 @@
 //! Scenes: the geometry to draw. A scene does not configure how it is drawn.
 //!
 //! A scene is a list of triangles in window coordinates: y down, the origin at the window's top
-//! left corner. It comes from one of three places: the program itself ([`builtin`]), an OBJ mesh
-//! seen by a fixed camera ([`mesh`], [`camera`]), or a JSON Lines file in the form that
-//! `guardbit eval` reads ([`lines`]).
+//! left corner. It comes from one of three places: the program itself ([`builtin`]), a mesh seen by
+//! a camera ([`mesh`], [`camera`]), or a JSON Lines file in the form that `guardbit eval` reads
+//! ([`lines`]).
 //!
 //! Floating point is allowed here, because a profile snaps every coordinate before a bit is
 //! decided; but only `+ - * /`, `sqrt` and `floor`, which IEEE 754 rounds alike everywhere, so that
@@ -12,24 +12,24 @@
 mod attributes;
 pub mod builtin;
 pub mod camera;
+mod error;
+mod file;
 mod lens;
 #[cfg(feature = "verification")]
 pub mod lines;
 pub mod mesh;
+mod place;
 mod primitive;
 mod shading;
 mod sine;
 
-use std::path::Path;
-
 pub use attributes::{AttributeSet, Attributes};
 pub use builtin::builtin_names;
+pub use error::SceneError;
 pub use lens::Lens;
-#[cfg(feature = "verification")]
-use lines::LineError;
-use mesh::MeshError;
+pub use place::Place;
 pub use primitive::Primitive;
-pub use shading::Shading;
+pub use shading::{Named, Shading};
 
 /// Where a scene lands.
 ///
@@ -108,106 +108,42 @@ pub struct Scene {
     pub name: String,
     /// The triangles in drawing order.
     pub triangles: Vec<Triangle>,
-    /// How many triangles of a mesh were left out because a vertex was at or behind the near plane.
+    /// Where each of them stands in its file; empty where there is none.
+    pub places: Vec<Place>,
+    /// How many triangles of a mesh were left out because a vertex was not between the near and the far
+    /// plane.
     pub dropped: usize,
+    /// The first of them, and why.
+    pub first_dropped: Option<String>,
     /// The camera's planes, where the scene was seen through one.
     pub lens: Option<Lens>,
     /// What its vertices carry.
     pub attributes: Attributes,
 }
 
-/// Why a scene could not be loaded.
-#[derive(Debug, thiserror::Error)]
-pub enum SceneError {
-    /// The window has no pixels.
-    #[error("viewport {width} x {height}: width >= 1 and height >= 1 are needed")]
-    Viewport {
-        /// The width asked for.
-        width: u32,
-        /// The height asked for.
-        height: u32,
-    },
-    /// Neither a built-in name nor a file.
-    #[error(
-        "no scene `{name}`: it is not a file and not a built-in scene; give one of the built-in scenes ({}), \
-         an .obj mesh, or a JSON Lines file of triangles",
-        builtin::name_list()
-    )]
-    Unknown {
-        /// What was asked for.
-        name: String,
-    },
-    /// The file could not be read.
-    #[error("{path}: the file cannot be read: {source}")]
-    Io {
-        /// The path as it was given.
-        path: String,
-        /// What the system said.
-        source: std::io::Error,
-    },
-    /// A file of a format that is not read.
-    #[error("{path}: this is a {format} file, which is not read; export it as an OBJ mesh")]
-    Format {
-        /// The path as it was given.
-        path: String,
-        /// The format by its name.
-        format: &'static str,
-    },
-    /// An OBJ mesh under another name.
-    #[error("{path}: this is an OBJ mesh; meshes are read from files that end in .obj: rename it")]
-    NamedOtherwise {
-        /// The path as it was given.
-        path: String,
-    },
-    /// The file is not text.
-    #[error(
-        "{path}: line {line}: the text is not UTF-8; a scene is an .obj mesh or JSON Lines; save the file as UTF-8"
-    )]
-    Encoding {
-        /// The path as it was given.
-        path: String,
-        /// Line of the first byte that is not UTF-8, from 1.
-        line: usize,
-    },
-    /// JSON Lines, in a build that does not read them.
-    #[cfg(not(feature = "verification"))]
-    #[error(
-        "{path}: this build reads .obj meshes; build with the feature `verification` for JSON Lines"
-    )]
-    NoLines {
-        /// The path as it was given.
-        path: String,
-    },
-    /// A line of a JSON Lines file is wrong.
-    #[cfg(feature = "verification")]
-    #[error("{path}: line {line}: {source}")]
-    Line {
-        /// The path as it was given.
-        path: String,
-        /// Line number, from 1.
-        line: usize,
-        /// What is wrong with the line, with its field.
-        source: LineError,
-    },
-    /// A JSON Lines file without a triangle.
-    #[error(
-        "{path}: the file has no triangles; write one triangle on each line, for example {{\"v\": [[0,0],[64,0],[0,64]]}}"
-    )]
-    Empty {
-        /// The path as it was given.
-        path: String,
-    },
-    /// A mesh is wrong.
-    #[error("{path}: {source}")]
-    Mesh {
-        /// The path as it was given.
-        path: String,
-        /// What is wrong with it, with line and field.
-        source: MeshError,
-    },
+impl Scene {
+    /// A scene of these triangles alone.
+    pub fn new(name: &str, triangles: Vec<Triangle>) -> Self {
+        Self {
+            name: name.to_owned(),
+            triangles,
+            places: Vec::new(),
+            dropped: 0,
+            first_dropped: None,
+            lens: None,
+            attributes: Attributes::default(),
+        }
+    }
+
+    /// A triangle in words for a message: its place in the file, or its number.
+    pub fn place(&self, triangle: usize) -> String {
+        let place = self.places.get(triangle);
+        place.map_or_else(|| format!("triangle {triangle}"), Place::to_string)
+    }
 }
 
-/// Loads a scene: a built-in name, the path of an .obj mesh, or the path of a JSON Lines file.
+/// Loads a scene: a built-in name, the path of a mesh, or the path of a JSON Lines file. The ending of the
+/// path decides how it is read: `.obj`, `.gltf`, `.glb`, `.ply` and `.stl` are meshes.
 ///
 /// A built-in name wins over a file of the same name; write `./knot` for the file.
 ///
@@ -218,96 +154,7 @@ pub fn load(source: &str, viewport: &Viewport) -> Result<Scene, SceneError> {
     if width == 0 || height == 0 {
         return Err(SceneError::Viewport { width, height });
     }
-    if let Some(scene) = builtin::make(source, viewport) {
-        return Ok(scene);
-    }
-    let path = || source.to_owned();
-    let bytes = read(source)?;
-    let (triangles, dropped, lens, attributes) = if has_extension(source, &["obj"]) {
-        // Comments and material names may be in any encoding; numbers never are.
-        let failed = |source| SceneError::Mesh { path: path(), source };
-        let mesh = mesh::parse(&String::from_utf8_lossy(&bytes)).map_err(failed)?;
-        let seen = camera::view(&mesh.triangles, viewport);
-        let seen = seen.ok_or_else(|| failed(MeshError::NoExtent))?;
-        let sets = mesh.sets.iter().map(|set| set.of(&seen.kept)).collect();
-        let dropped = mesh.triangles.len() - seen.kept.len();
-        (seen.triangles, dropped, Some(seen.lens), Attributes { w: seen.w, sets })
-    } else {
-        if let Some(format) = foreign(source, &bytes) {
-            return Err(SceneError::Format { path: path(), format });
-        }
-        if is_obj(&bytes) {
-            return Err(SceneError::NamedOtherwise { path: path() });
-        }
-        let text = std::str::from_utf8(&bytes).map_err(|error| SceneError::Encoding {
-            path: path(),
-            line: 1 + bytes.iter().take(error.valid_up_to()).filter(|&&b| b == b'\n').count(),
-        })?;
-        (json_lines(text, source)?, 0, None, Attributes::default())
-    };
-    if triangles.is_empty() && dropped == 0 {
-        return Err(SceneError::Empty { path: path() });
-    }
-    Ok(Scene { name: path(), triangles, dropped, lens, attributes })
-}
-
-#[cfg(feature = "verification")]
-fn json_lines(text: &str, path: &str) -> Result<Vec<Triangle>, SceneError> {
-    lines::parse_scene(text).map_err(|(line, source)| SceneError::Line {
-        path: path.to_owned(),
-        line,
-        source,
-    })
-}
-
-#[cfg(not(feature = "verification"))]
-fn json_lines(_: &str, path: &str) -> Result<Vec<Triangle>, SceneError> {
-    Err(SceneError::NoLines { path: path.to_owned() })
-}
-
-/// The file's bytes; a missing file whose name does not look like one is an unknown scene.
-fn read(source: &str) -> Result<Vec<u8>, SceneError> {
-    std::fs::read(source).map_err(|error| {
-        let looks_like_file = has_extension(source, &["obj", "jsonl", "ndjson", "json"])
-            || source.contains(std::path::is_separator);
-        if error.kind() == std::io::ErrorKind::NotFound && !looks_like_file {
-            SceneError::Unknown { name: source.to_owned() }
-        } else {
-            SceneError::Io { path: source.to_owned(), source: error }
-        }
-    })
-}
-
-/// Formats of geometry and pictures by their first bytes and their endings.
-const FOREIGN: [(&str, &[u8], &[&str]); 8] = [
-    ("binary glTF", b"glTF", &["glb"]),
-    ("glTF", b"{\"asset\"", &["gltf"]),
-    ("PLY", b"ply", &["ply"]),
-    ("STL", b"solid ", &["stl"]),
-    ("FBX", b"Kaydara FBX", &["fbx"]),
-    ("COLLADA", b"<?xml", &["dae"]),
-    ("PNG", b"\x89PNG", &["png"]),
-    ("ZIP", b"PK\x03\x04", &["zip", "3mf", "usdz"]),
-];
-
-/// The format of a file that is not read.
-fn foreign(source: &str, bytes: &[u8]) -> Option<&'static str> {
-    let found = FOREIGN
-        .iter()
-        .find(|(_, first, ends)| bytes.starts_with(first) || has_extension(source, ends));
-    found.map(|(name, ..)| *name)
-}
-
-/// Whether a text has the statements of an OBJ mesh.
-fn is_obj(bytes: &[u8]) -> bool {
-    let lines = || bytes.split(|byte| *byte == b'\n').take(1 << 16);
-    lines().any(|line| line.starts_with(b"v ")) && lines().any(|line| line.starts_with(b"f "))
-}
-
-fn has_extension(source: &str, known: &[&str]) -> bool {
-    Path::new(source)
-        .extension()
-        .is_some_and(|got| known.iter().any(|want| got.eq_ignore_ascii_case(want)))
+    builtin::make(source, viewport).map_or_else(|| file::load(source, viewport), Ok)
 }
 
 #[cfg(test)]
@@ -340,7 +187,7 @@ mod tests {
 
     #[test]
     fn a_missing_file_is_a_read_error() {
-        for name in ["missing.obj", "missing.jsonl", "./missing"] {
+        for name in ["missing.obj", "missing.glb", "missing.jsonl", "./missing"] {
             assert!(matches!(load(name, &VIEW), Err(SceneError::Io { .. })), "{name}");
         }
     }
@@ -397,14 +244,27 @@ mod tests {
     }
 
     #[test]
-    fn other_formats_are_named() {
+    fn other_formats_and_other_names_are_named() {
         for (name, content, want) in [
-            ("a.ply", &b"ply\nformat ascii 1.0\n"[..], "PLY file"),
-            ("a.mesh", b"glTF\x02\0\0\0", "binary glTF file"),
-            ("a.gltf", b"{\n  \"asset\": {}}", "glTF file"),
-            ("a.stl", &[0; 84], "STL file"),
-            ("a.jsonl", b"\x89PNG\r\n", "PNG file"),
+            (
+                "mesh",
+                &b"ply\nformat ascii 1.0\n"[..],
+                "a PLY mesh, which is read from files that end in .ply",
+            ),
+            (
+                "a.mesh",
+                b"glTF\x02\0\0\0",
+                "glTF, which is read from files that end in .gltf or .glb: rename it",
+            ),
+            ("a.json", b"{\n  \"asset\": {}}", "glTF, which is read from"),
+            ("a.txt", b"solid cube\n", "an STL mesh, which is read from files that end in .stl"),
+            ("a.jsonl", b"\x89PNG\r\n", "PNG file, which is not read"),
+            ("a.fbx", b"anything", "FBX file, which is not read; export it as glTF"),
             ("mesh", b"# a mesh\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "end in .obj: rename it"),
+            ("a.ply", b"", "the file is empty"),
+            ("a.glb", b"", "the file is empty"),
+            ("a.jsonl", b"", "the file has no triangles"),
+            ("a.STL", &[0; 84], "no facets"),
         ] {
             let (_keep, path) = file(name, content);
             let message = load(&path, &VIEW).unwrap_err().to_string();

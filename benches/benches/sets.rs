@@ -25,7 +25,14 @@ fn request() -> SetRequest {
     let scene = scene::load("knot", &model.viewport()).expect("a built-in scene");
     let triangles = scene.triangles.iter().filter_map(|t| model.snap(t).ok().map(|t| *t)).collect();
     let (name, scene_name) = (profile.name.clone(), scene.name);
-    SetRequest { name, profile, scene_name, scene: Arc::new(triangles), refused: 0 }
+    SetRequest {
+        name,
+        profile,
+        scene_name,
+        scene: Arc::new(triangles),
+        values: Arc::default(),
+        refused: 0,
+    }
 }
 
 fn options() -> Options {

@@ -105,7 +105,7 @@ pub(crate) fn run(profile: &str, limit: u64, arguments: &Options) -> Result<Outc
             }
         }
         Verdict::Refuted(Refutation::Triangle(Counterexample { triangle, words })) => {
-            let line = scene_text(&[*triangle], &profile.vertex);
+            let line = scene_text(&[*triangle], &[], &profile);
             let scene = arguments.out.join("counterexample.jsonl");
             let path = scene.display().to_string();
             std::fs::write(&scene, &line).map_err(|error| Failure::io(&path, &error))?;

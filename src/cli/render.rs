@@ -159,7 +159,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     };
     let scene = sets::snap_scene(&profile, &arguments.scene)?;
     let summary = match paint {
-        Some(paint) => paint.draw(&model, (&arguments.scene, &scene), &mut canvas)?,
+        Some(paint) => paint.draw(&model, &scene, &mut canvas)?,
         None if arguments.show == Show::Error => draw_errors(&model, &scene.triangles, &mut canvas),
         None => draw(&model, &scene.triangles, &mut canvas),
     };

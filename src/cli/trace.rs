@@ -42,9 +42,10 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = profile::load(&arguments.profile)?;
-    let scene = sets::snap_scene(&profile, &arguments.scene)?.shapes();
+    let snapped = sets::snap_scene(&profile, &arguments.scene)?;
+    let values = Arc::new(snapped.values_of_set(&profile)?);
     let (seed, count) = (arguments.seed, arguments.count);
-    let source = Source { profile, scene: Arc::new(scene), seed, count };
+    let source = Source { profile, scene: Arc::new(snapped.shapes()), values, seed, count };
     let benches = source.benches();
     let found =
         benches.iter().find_map(|bench| Some((bench, find_test(&**bench, &arguments.test)?)));

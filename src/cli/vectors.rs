@@ -5,9 +5,11 @@ use super::failure::Failure;
 use super::output::Output;
 use super::{progress, sets};
 use clap::ValueEnum;
+use guardbit::case::triangle::SCENE;
 use guardbit::profile::{self, Profile};
-use guardbit::vector::bench::{Bench, Source};
+use guardbit::vector::bench::{Bench, ChannelBench, Source};
 use guardbit::vector::emit;
+use guardbit::vector::manifest::GroupEntry;
 use guardbit::vector::plan::{Shard, find_test};
 use guardbit::vector::table::RowFormat;
 use guardbit::vector::write::{self, Options, SetRequest};
@@ -168,7 +170,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     })
     .map_err(|error| write_failure(&arguments.out, &error))?;
     let mut output = Output::new();
-    for manifest in &manifests {
+    for (manifest, request) in manifests.iter().zip(&requests) {
+        let drawn = |group: &GroupEntry| group.bench == "channel" && group.tag == SCENE.tag;
+        if !request.values.is_empty() && !manifest.groups.iter().any(drawn) {
+            eprintln!(
+                "note: {}: no triangle is small enough for the bench `channel`, which draws bounding boxes of at \
+                 most {} pixels; a finer mesh or a smaller window has some",
+                arguments.scene,
+                ChannelBench::LARGEST
+            );
+        }
         let folder = if nested { arguments.out.join(&manifest.set) } else { arguments.out.clone() };
         let tests: u64 = manifest.groups.iter().map(|group| group.tests).sum();
         let rows: u64 = manifest
@@ -200,8 +211,9 @@ fn request(profile: Profile, scene: &str) -> Result<SetRequest, Failure> {
     let snapped = sets::snap_scene(&profile, scene)?;
     Ok(SetRequest {
         name: profile.name.clone(),
-        profile,
         scene: Arc::new(snapped.shapes()),
+        values: Arc::new(snapped.values_of_set(&profile)?),
+        profile,
         scene_name: snapped.name,
         refused: snapped.refused,
     })
@@ -230,6 +242,7 @@ fn benches(request: &SetRequest, options: &Options) -> Vec<Box<dyn Bench>> {
     Source {
         profile: request.profile.clone(),
         scene: Arc::clone(&request.scene),
+        values: Arc::clone(&request.values),
         seed: options.seed,
         count: options.count,
     }

@@ -11,7 +11,7 @@ use super::tolerance::Tolerance;
 use super::witness::{Witness, witness};
 use crate::measure::accuracy::{Drawn, Reference, Stage, Tally, measure};
 use crate::profile::{InvalidProfile, Profile};
-use crate::scene::{Attributes, Lens, Scene, Triangle};
+use crate::scene::{Lens, Scene, Triangle};
 
 /// A quantity, pushed; what shows that it broke, and the field that is taken down until it does.
 #[derive(Clone, Debug)]
@@ -71,13 +71,7 @@ pub fn extremes(
 fn run(profile: &Profile, push: Push, go_on: &dyn Fn() -> bool) -> Result<Extreme, InvalidProfile> {
     let Push { name, pushed, field, values, tolerance, scenes, lens } = push;
     let scene = |triangles| {
-        let scene = Scene {
-            name: name.to_owned(),
-            triangles,
-            dropped: 0,
-            lens,
-            attributes: Attributes::default(),
-        };
+        let scene = Scene { lens, ..Scene::new(name, triangles) };
         Reference::new(scene, profile)
     };
     let scenes = scenes.into_iter().map(scene).collect();

@@ -77,6 +77,7 @@ pub fn interpolations(
         let w = match (lens, face.triangle.z) {
             (Some(lens), Some(z)) => z.map(|code| {
                 let distance = lens.distance(code as f64 / stage.world.top);
+                let lens = lens.finite();
                 #[allow(clippy::cast_possible_truncation, reason = "at most 65536")]
                 let w = (distance / lens.far * 65_536.0).round() as i128;
                 w.clamp(1, 1 << 16)

@@ -144,6 +144,7 @@ impl Scale {
 /// Every format of so many bits between the planes of a lens, and the ties that it makes among the
 /// neighbours in depth of a scene.
 pub fn resolutions(bits: u32, lens: Lens, stage: Option<&Stage>) -> Vec<FormatRow> {
+    let lens = lens.finite();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "clamped")]
     let ratio = (lens.far / lens.near).round().clamp(2.0, 1_048_576.0) as u32;
     let formats =

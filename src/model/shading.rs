@@ -3,7 +3,7 @@
 use super::Model;
 use super::primitive::{Kind, Primitive, PrimitiveError};
 use crate::bits::Rounding;
-use crate::scene::{Attributes, Shading};
+use crate::scene::{AttributeSet, Attributes, Named, Shading};
 use crate::setup::snap_f64;
 use crate::value::{AttributeConfig, InverseWConfig, ValueError, VertexValues};
 
@@ -24,7 +24,8 @@ impl Model {
         }))
     }
 
-    /// The codes of a scene's triangle, each channel from the values of its `source`.
+    /// The codes of a scene's triangle, each channel from the values of its `source`; of JSON Lines, from those
+    /// of its own name if there are any.
     ///
     /// # Errors
     /// [`PrimitiveError`] for values that the scene does not have, or that do not go with the channels.
@@ -33,27 +34,54 @@ impl Model {
         attributes: &Attributes,
         triangle: usize,
     ) -> Result<VertexValues, PrimitiveError> {
+        let shading = match attributes {
+            Attributes::Mesh { w, sets } => {
+                let channels = self.of_mesh(sets, triangle)?;
+                Shading::Reals { channels, w: w.get(triangle).copied() }
+            }
+            Attributes::Lines(lines) => match lines.get(triangle).and_then(Option::as_ref) {
+                Some(Shading::Codes { channels, inverse_w }) => {
+                    Shading::Codes { channels: self.by_source(channels)?, inverse_w: *inverse_w }
+                }
+                Some(Shading::Reals { channels, w }) => {
+                    Shading::Reals { channels: self.by_source(channels)?, w: *w }
+                }
+                None => Shading::Codes { channels: self.by_source(&[])?, inverse_w: None },
+            },
+        };
+        self.shading(&shading)
+    }
+
+    /// The values of a triangle of a mesh, by channel.
+    fn of_mesh(&self, sets: &[AttributeSet], triangle: usize) -> Result<Named<f64>, ValueError> {
         let mut channels = Vec::new();
         for config in &self.profile.channel {
-            let (channel, from) = (config.name.clone(), config.source());
-            let Some(set) = attributes.sets.iter().find(|set| set.name == from) else {
-                let names: Vec<_> = attributes.sets.iter().map(|set| set.name).collect();
-                let known = if names.is_empty() { "none".to_owned() } else { names.join(", ") };
-                return Err(ValueError::NoSet { channel, from: from.to_owned(), known }.into());
-            };
-            let (need, got) = (config.components.len(), set.components);
-            if need > got {
-                return Err(ValueError::Narrow { channel, need, got }.into());
-            }
+            let channel = config.name.clone();
+            let set = sets.iter().find(|set| set.name == config.source());
+            let set = set.ok_or_else(|| no_set(config, sets.iter().map(|set| set.name)))?;
+            let need = wide_enough(config, set.components)?;
             let values: Vec<[f64; 3]> = (0..need).map(|k| set.at(triangle, k)).collect();
-            if let Some(place) = &set.missing
-                && values.iter().flatten().any(|value| value.is_nan())
-            {
-                return Err(ValueError::Absent { channel, place: place.clone() }.into());
+            if values.iter().flatten().any(|value| value.is_nan()) {
+                let what = set.missing.clone();
+                let what = what.unwrap_or_else(|| format!("a vertex has no {:?}", set.name));
+                return Err(ValueError::Absent { channel, what });
             }
             channels.push((channel, values));
         }
-        self.shading(&Shading::Reals { channels, w: attributes.w.get(triangle).copied() })
+        Ok(channels)
+    }
+
+    /// Values of a line, by channel. A line that `eval` takes has them by the names of the channels.
+    fn by_source<T: Copy>(&self, given: &[(String, Vec<[T; 3]>)]) -> Result<Named<T>, ValueError> {
+        let channel = |config: &AttributeConfig| {
+            let named = |of: &str| given.iter().find(|(name, _)| name == of);
+            let found = named(&config.name).or_else(|| named(config.source()));
+            let names = given.iter().map(|(name, _)| name.as_str());
+            let (_, values) = found.ok_or_else(|| no_set(config, names))?;
+            let need = wide_enough(config, values.len())?;
+            Ok((config.name.clone(), values[..need].to_vec()))
+        };
+        self.profile.channel.iter().map(channel).collect()
     }
 
     /// The codes of what vertices bring: integers are checked, reals are multiplied by the channel's unit
@@ -91,6 +119,20 @@ impl Model {
         };
         Ok(self.values(&codes, inverse_w)?)
     }
+}
+
+/// That a scene does not have what a channel takes.
+fn no_set<'a>(config: &AttributeConfig, known: impl Iterator<Item = &'a str>) -> ValueError {
+    let known = known.collect::<Vec<_>>().join(", ");
+    let known = if known.is_empty() { "none".to_owned() } else { known };
+    ValueError::NoSet { channel: config.name.clone(), from: config.source().to_owned(), known }
+}
+
+/// How many components a channel takes, of those that a scene has.
+fn wide_enough(config: &AttributeConfig, got: usize) -> Result<usize, ValueError> {
+    let need = config.components.len();
+    let narrow = ValueError::Narrow { channel: config.name.clone(), need, got };
+    if need > got { Err(narrow) } else { Ok(need) }
 }
 
 /// The code of a real number: times the code of 1, to nearest even; `None` where it is not finite.

@@ -1,13 +1,36 @@
 //! What the vertices of a scene carry beside their place.
 
-/// Values of every vertex of a scene, parallel to its triangles.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Attributes {
-    /// Distance from the eye of the three vertices of each triangle, in any one unit; empty where
-    /// the scene has no camera.
-    pub w: Vec<[f64; 3]>,
-    /// The named values.
-    pub sets: Vec<AttributeSet>,
+use super::Shading;
+
+/// What every vertex of a scene carries, parallel to its triangles.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Attributes {
+    /// Reals by name, as a mesh has them.
+    Mesh {
+        /// Distance from the eye of the three vertices of each triangle, in any one unit; 1 where the
+        /// camera has no perspective, empty where the scene has no camera.
+        w: Vec<[f64; 3]>,
+        /// The named values.
+        sets: Vec<AttributeSet>,
+    },
+    /// What each triangle brings by itself, as JSON Lines give it.
+    Lines(Vec<Option<Shading>>),
+}
+
+impl Default for Attributes {
+    fn default() -> Self {
+        Self::Mesh { w: Vec::new(), sets: Vec::new() }
+    }
+}
+
+impl Attributes {
+    /// Whether no vertex has a value of any name.
+    pub fn is_empty(&self) -> bool {
+        match self {
+            Self::Mesh { sets, .. } => sets.is_empty(),
+            Self::Lines(lines) => lines.iter().all(Option::is_none),
+        }
+    }
 }
 
 /// Values of one name.
@@ -19,11 +42,16 @@ pub struct AttributeSet {
     pub components: usize,
     /// 3 x components numbers for each triangle, vertex by vertex; NaN where a vertex has none.
     pub values: Vec<f64>,
-    /// The first place where a vertex has none.
+    /// What the first triangle with a vertex that has none lacks, in words.
     pub missing: Option<String>,
 }
 
 impl AttributeSet {
+    /// A set without values so far.
+    pub(super) fn new(name: &'static str, components: usize) -> Self {
+        Self { name, components, values: Vec::new(), missing: None }
+    }
+
     /// A component at the three vertices of a triangle.
     pub fn at(&self, triangle: usize, component: usize) -> [f64; 3] {
         let first = 3 * self.components * triangle + component;

@@ -10,7 +10,7 @@ mod slivers;
 mod terrain;
 
 use super::camera::View;
-use super::mesh::Point;
+use super::mesh::{Mesh, Point};
 use super::{Attributes, Scene, Triangle, Viewport, camera};
 
 /// Name and one-line description of each.
@@ -46,20 +46,19 @@ pub(super) fn make(name: &str, viewport: &Viewport) -> Option<Scene> {
         "fan" => fan::triangles(viewport),
         "slivers" => slivers::triangles(viewport),
         "extremes" => extremes::triangles(viewport),
-        "knot" => return in_perspective(name, &knot::mesh(), viewport),
-        "terrain" => return in_perspective(name, &terrain::mesh(), viewport),
+        "knot" => return in_perspective(name, knot::mesh(), viewport),
+        "terrain" => return in_perspective(name, terrain::mesh(), viewport),
         _ => return None,
     };
-    let attributes = Attributes::default();
-    Some(Scene { name: name.to_owned(), triangles: flat, dropped: 0, lens: None, attributes })
+    Some(Scene::new(name, flat))
 }
 
-/// No mesh here is without extent, so the camera always frames it.
-fn in_perspective(name: &str, mesh: &[[Point; 3]], viewport: &Viewport) -> Option<Scene> {
-    let View { triangles, kept, w, lens } = camera::view(mesh, viewport)?;
-    let dropped = mesh.len() - kept.len();
-    let attributes = Attributes { w, sets: Vec::new() };
-    Some(Scene { name: name.to_owned(), triangles, dropped, lens: Some(lens), attributes })
+/// No mesh here is without extent, so the camera always frames it, and drops nothing.
+fn in_perspective(name: &str, triangles: Vec<[Point; 3]>, viewport: &Viewport) -> Option<Scene> {
+    let mesh = Mesh { triangles, ..Mesh::default() };
+    let View { triangles, w, lens, .. } = camera::view(&mesh, viewport)?;
+    let attributes = Attributes::Mesh { w, sets: Vec::new() };
+    Some(Scene { lens, attributes, ..Scene::new(name, triangles) })
 }
 
 fn triangle(viewport: &Viewport) -> Triangle {

@@ -1,4 +1,4 @@
-//! A camera that frames a mesh: three-quarter view, perspective, viewport.
+//! Cameras: the one of a file, or else one that frames a mesh in a three-quarter view.
 //!
 //! Only `+ - * /` and `sqrt` on doubles, each rounded as IEEE 754 says, so that a mesh lands on the
 //! same coordinates on every machine. A vertex that two triangles share gives the same doubles in
@@ -6,7 +6,8 @@
 
 use std::cmp::Ordering;
 
-use super::mesh::Point;
+use super::mesh::{Mesh, Point};
+use super::sine::tangent;
 use super::{Lens, Triangle, Viewport};
 
 /// Towards the eye: from the front, the right and above.
@@ -19,18 +20,53 @@ const DISTANCE: f64 = 4.0;
 /// The part of the window's shorter side left free along each side.
 const MARGIN: f64 = 1.0 / 16.0;
 
+/// A camera as a file places it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Placed {
+    /// The eye, in the units of the mesh.
+    pub eye: Point,
+    /// Orthonormal, towards the right, the top, and backwards.
+    pub axes: [Point; 3],
+    /// What it sees of the space before it.
+    pub projection: Projection,
+    /// Distance of the near plane, at least 0; above 0 in perspective.
+    pub near: f64,
+    /// Distance of the far plane, above that of the near one; in perspective it may be infinite.
+    pub far: f64,
+}
+
+/// How a placed camera sees.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Projection {
+    /// Lines meet in the eye.
+    Perspective {
+        /// The angle between the lower and the upper side, in radians, between 0 and pi.
+        fov: f64,
+        /// Width over height, above 0, where the camera has a width of its own.
+        aspect: Option<f64>,
+    },
+    /// Lines are parallel.
+    Orthographic {
+        /// Half of what it sees from left to right and from top to bottom, in the units of the mesh, above 0.
+        half: [f64; 2],
+    },
+}
+
 /// A camera and the viewport it draws to.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Camera {
-    /// Centre of the mesh's bounding box, and half of its longest side.
+    /// Centre of the mesh's bounding box, and half of its longest side; or the eye, and 1.
     centre: Point,
     size: f64,
+    /// The eye's distance from the centre, in sizes.
+    distance: f64,
     /// Orthonormal, towards the right, the top, and the eye.
     axes: [Point; 3],
-    /// Distances from the eye, in half sides of the bounding box.
+    perspective: bool,
+    /// Distances from the eye, in sizes.
     near: f64,
     far: f64,
-    /// Pixels to one unit at distance 1, and what lands in the middle of the window.
+    /// Pixels to one unit, at distance 1 in perspective, and what lands in the middle of the window.
     scale: f64,
     middle: [f64; 2],
     window: [f64; 2],
@@ -65,7 +101,9 @@ impl Camera {
         let mut camera = Self {
             centre: add(low, high),
             size,
+            distance: DISTANCE,
             axes: [right, cross(back, right), back],
+            perspective: true,
             near: 0.0,
             far: 0.0,
             scale: 1.0,
@@ -94,68 +132,131 @@ impl Camera {
         Some(camera)
     }
 
+    /// The camera of a file. What it sees fills the viewport as far as its proportions allow.
+    pub fn placed(placed: &Placed, viewport: &Viewport) -> Self {
+        let halves = viewport.size().map(|side| side / 2.0);
+        let [across, up] = match placed.projection {
+            Projection::Perspective { fov, aspect } => {
+                let up = tangent(fov / 2.0);
+                [aspect.map_or(0.0, |aspect| aspect * up), up]
+            }
+            Projection::Orthographic { half } => half,
+        };
+        // A camera without a width of its own shows as much of it as the window has: x / 0 is infinite.
+        let scale = (halves[0] / across).min(halves[1] / up);
+        Self {
+            centre: placed.eye,
+            size: 1.0,
+            distance: 0.0,
+            axes: placed.axes,
+            perspective: matches!(placed.projection, Projection::Perspective { .. }),
+            near: placed.near,
+            far: placed.far,
+            scale,
+            middle: [0.0; 2],
+            window: viewport.size(),
+            depth_max: viewport.depth_max_real(),
+        }
+    }
+
     /// Right, up and forward from the eye.
     fn seen(&self, point: Point) -> Point {
         let [right, up, back] = self.axes;
         let place = sub(point, self.centre).map(|value| value / self.size);
-        [dot(right, place), dot(up, place), DISTANCE - dot(back, place)]
+        [dot(right, place), dot(up, place), self.distance - dot(back, place)]
     }
 
     /// Where a point lands: x, y in pixels, z in depth ULPs, 0 at the near plane and the largest
-    /// code at the far one; nothing for a point at or behind the near plane.
+    /// code at the far one; nothing for a point at or behind the near plane, or behind the far one.
     ///
-    /// z is far (d - near) / (d (far - near)) of the range at distance d: what z/w comes to, linear
-    /// in the window.
+    /// At distance d, z in perspective is far (d - near) / (d (far - near)) of the range: what z/w comes
+    /// to, linear in the window. Otherwise it is (d - near) / (far - near).
     pub fn project(&self, point: Point) -> Option<Point> {
         let seen = self.seen(point);
-        let [.., distance] = seen;
+        let [x, y, distance] = seen;
         // A NaN is nothing, too.
-        if distance.partial_cmp(&self.near) != Some(Ordering::Greater) {
+        let nearer = distance.partial_cmp(&self.near) != Some(Ordering::Greater);
+        if nearer || distance > self.far {
             return None;
         }
-        let [x, y] = flat(seen);
+        let (near, far) = (self.near, self.far);
+        let ([x, y], depth) = if !self.perspective {
+            ([x, y], (distance - near) / (far - near))
+        } else if far.is_infinite() {
+            (flat(seen), (distance - near) / distance)
+        } else {
+            (flat(seen), far * (distance - near) / (distance * (far - near)))
+        };
         let [width, height] = self.window;
-        let depth = self.far * (distance - self.near) / (distance * (self.far - self.near));
-        Some([
+        let landed = [
             width / 2.0 + (x - self.middle[0]) * self.scale,
             height / 2.0 - (y - self.middle[1]) * self.scale,
             depth.clamp(0.0, 1.0) * self.depth_max,
-        ])
+        ];
+        Some(landed)
     }
 
-    /// The near and far plane, in the units of the mesh.
-    pub fn lens(&self) -> Lens {
-        Lens { near: self.near * self.size, far: self.far * self.size }
+    /// The near and far plane, in the units of the mesh; nothing without perspective, where depth is
+    /// linear in space.
+    pub fn lens(&self) -> Option<Lens> {
+        let lens = Lens { near: self.near * self.size, far: self.far * self.size };
+        self.perspective.then_some(lens)
     }
 
-    /// The triangles that lie in front of the near plane, and their numbers in the mesh.
+    /// What w is at a point: its distance from the eye in perspective, otherwise 1.
+    fn w(&self, point: Point) -> f64 {
+        if self.perspective { self.seen(point)[2] } else { 1.0 }
+    }
+
+    /// The triangles that lie between the planes, and their numbers in the mesh.
     pub fn draw(&self, mesh: &[[Point; 3]]) -> (Vec<Triangle>, Vec<usize>) {
         let seen = mesh.iter().enumerate().filter_map(|(n, &[a, b, c])| {
             Some((Triangle::real([self.project(a)?, self.project(b)?, self.project(c)?]), n))
         });
         seen.unzip()
     }
+
+    /// Why a triangle is not drawn.
+    fn reason(&self, triangle: &[Point; 3]) -> String {
+        let hidden = triangle.iter().position(|point| self.project(*point).is_none());
+        let vertex = hidden.unwrap_or_default();
+        let distance = self.seen(triangle[vertex])[2];
+        let (near, far) = (self.near, self.far);
+        format!(
+            "vertex {vertex} is {distance} before the eye: {near} < distance <= {far} is needed, the near and \
+             the far plane; clip the triangle, or move the camera"
+        )
+    }
 }
 
 /// A mesh as a camera sees it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct View {
-    /// The triangles in front of the near plane.
+    /// The triangles between the near and the far plane.
     pub triangles: Vec<Triangle>,
     /// Their numbers in the mesh.
     pub kept: Vec<usize>,
-    /// The distance of each of their vertices from the eye, in half sides of the bounding box.
+    /// The first triangle that is not, and why.
+    pub dropped: Option<(usize, String)>,
+    /// The distance of each vertex from the eye, in any one unit; 1 without perspective.
     pub w: Vec<[f64; 3]>,
-    /// The camera's planes.
-    pub lens: Lens,
+    /// The camera's planes, in perspective.
+    pub lens: Option<Lens>,
 }
 
-/// A mesh in the window, framed; nothing where it has no extent. See [`Camera::draw`].
-pub fn view(mesh: &[[Point; 3]], viewport: &Viewport) -> Option<View> {
-    let camera = Camera::frame(mesh, viewport)?;
-    let (triangles, kept) = camera.draw(mesh);
-    let w = kept.iter().map(|n| mesh[*n].map(|point| camera.seen(point)[2])).collect();
-    Some(View { triangles, kept, w, lens: camera.lens() })
+/// A mesh in the window, by its own camera or framed; nothing where it has no extent to be framed. See
+/// [`Camera::draw`].
+pub fn view(mesh: &Mesh, viewport: &Viewport) -> Option<View> {
+    let triangles = &mesh.triangles;
+    let camera = match &mesh.camera {
+        Some(placed) => Camera::placed(placed, viewport),
+        None => Camera::frame(triangles, viewport)?,
+    };
+    let (drawn, kept) = camera.draw(triangles);
+    let w = kept.iter().map(|n| triangles[*n].map(|point| camera.w(point))).collect();
+    let first = (0..triangles.len()).find(|n| kept.get(*n) != Some(n));
+    let dropped = first.map(|n| (n, camera.reason(&triangles[n])));
+    Some(View { triangles: drawn, kept, dropped, w, lens: camera.lens() })
 }
 
 /// On the plane at distance 1.
@@ -179,7 +280,7 @@ pub(crate) fn times(s: f64, a: Point) -> Point {
 }
 
 /// a . b.
-fn dot(a: Point, b: Point) -> f64 {
+pub(crate) fn dot(a: Point, b: Point) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -286,6 +387,58 @@ mod tests {
         let (triangles, kept) = camera.draw(&odd);
         assert_eq!((triangles.len(), kept.len()), (1, 1));
         assert_eq!(camera.project([f64::NAN; 3]), None);
+    }
+
+    const PLACED: Placed = Placed {
+        eye: [0.0, 0.0, 5.0],
+        axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
+        projection: Projection::Perspective { fov: std::f64::consts::FRAC_PI_2, aspect: None },
+        near: 1.0,
+        far: 9.0,
+    };
+
+    /// By hand: at distance 5 half of a right angle sees 5 up and down.
+    #[test]
+    fn a_placed_camera_sees_by_its_angle() {
+        let at = |placed: &Placed, point| Camera::placed(placed, &WINDOW).project(point);
+        let depth = 9.0 * 4.0 / (5.0 * 8.0) * 65535.0;
+        let near = |got: Option<Point>, want: Point| {
+            let off = sub(got.unwrap(), want).map(f64::abs);
+            assert!(off.iter().all(|off| *off < 1e-9), "{got:?} {want:?}");
+        };
+        near(at(&PLACED, [5.0, 5.0, 0.0]), [320.0 + 240.0, 0.0, depth]);
+        assert_eq!(at(&PLACED, [0.0, 0.0, 4.0]), None);
+        assert_eq!(at(&PLACED, [0.0, 0.0, -5.0]), None);
+        // Twice as wide as high: the width of the window decides.
+        let projection =
+            Projection::Perspective { fov: std::f64::consts::FRAC_PI_2, aspect: Some(2.0) };
+        near(at(&Placed { projection, ..PLACED }, [5.0, 5.0, 0.0]), [320.0 + 160.0, 80.0, depth]);
+        let far = Placed { far: f64::INFINITY, ..PLACED };
+        near(at(&far, [0.0, 0.0, -95.0]), [320.0, 240.0, 0.99 * 65535.0]);
+        let lens = Camera::placed(&far, &WINDOW).lens().unwrap();
+        assert_eq!([lens.distance(0.0), lens.distance(0.5), lens.steepness(0.5)], [1.0, 2.0, 4.0]);
+    }
+
+    #[test]
+    fn parallel_lines_have_one_w_and_linear_depth() {
+        let projection = Projection::Orthographic { half: [4.0, 2.0] };
+        let placed = Placed { projection, near: 0.0, ..PLACED };
+        let triangles = vec![[[4.0, 2.0, 0.5], [0.0; 3], [0.0, -1.0, -4.0]], [[0.0, 0.0, 6.0]; 3]];
+        let mesh = Mesh { triangles, camera: Some(placed), ..Mesh::default() };
+        let view = view(&mesh, &WINDOW).unwrap();
+        // 80 pixels a unit, as 320 / 4 < 240 / 2.
+        let want = [
+            [640.0, 80.0, 0.5 * 65535.0],
+            [320.0, 240.0, 5.0 / 9.0 * 65535.0],
+            [320.0, 320.0, 65535.0],
+        ];
+        assert_eq!(view.triangles, [Triangle::real(want)]);
+        assert_eq!((view.w, view.lens), (vec![[1.0; 3]], None));
+        let (n, why) = view.dropped.unwrap();
+        assert!(
+            n == 1 && why.contains("vertex 0 is -1 before the eye: 0 < distance <= 9"),
+            "{why}"
+        );
     }
 
     #[test]

@@ -16,13 +16,16 @@
 pub struct Lens {
     /// Distance of the near plane.
     pub near: f64,
-    /// Distance of the far plane.
+    /// Distance of the far plane; it may be infinite.
     pub far: f64,
 }
 
 impl Lens {
     /// Distance from the eye at a part of the depth range.
     pub fn distance(&self, part: f64) -> f64 {
+        if self.far.is_infinite() {
+            return self.near / (1.0 - part);
+        }
         self.near * self.far / (self.far - part * (self.far - self.near))
     }
 
@@ -30,6 +33,17 @@ impl Lens {
     /// error into a distance.
     pub fn steepness(&self, part: f64) -> f64 {
         let distance = self.distance(part);
+        if self.far.is_infinite() {
+            return distance * distance / self.near;
+        }
         distance * distance * ((self.far - self.near) / (self.near * self.far))
+    }
+
+    /// The same with a far plane for what measures the whole range: 2^20 times as far as the near one where it
+    /// is infinite.
+    #[must_use]
+    pub fn finite(self) -> Self {
+        let far = if self.far.is_infinite() { self.near * 1_048_576.0 } else { self.far };
+        Self { far, ..self }
     }
 }

@@ -20,6 +20,9 @@
 //! | `q` | `[q,q,q]` | beside `v`: codes of 1/w |
 //! | `w` | `[w,w,w]` | beside `f`: distances from the eye, above 0 |
 //!
+//! In a scene the names are those that `source` of the channels gives, and there may be more of them, and more
+//! components, than a profile takes.
+//!
 //! z may be left out, for all three vertices at once. An integer is a plain JSON number or a string
 //! of decimal digits, and never passes through a double.
 
@@ -153,9 +156,6 @@ pub enum Fault {
     /// Not a bit pattern.
     #[error("{0} is not a bit pattern; write 8 hex digits (binary32) or 16 (binary64)")]
     Pattern(String),
-    /// Channels in a scene.
-    #[error("a scene of JSON Lines has no channels yet; draw the line with `eval`")]
-    SceneChannels,
     /// A request that is no triangle, in a scene.
     #[error("a scene contains only triangles: `v` or `f`")]
     NotTriangle,
@@ -184,29 +184,35 @@ pub fn parse_line(line: &str) -> Result<Request, LineError> {
     }
 }
 
+/// A triangle of a scene.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SceneLine {
+    /// Line number, from 1.
+    pub line: usize,
+    /// The triangle.
+    pub triangle: Triangle,
+    /// What its vertices bring for channels.
+    pub shading: Option<Shading>,
+}
+
 /// Reads a scene: one triangle a line; empty lines count but say nothing.
 ///
 /// # Errors
 /// The line's number from 1, and what is wrong with it.
-pub fn parse_scene(text: &str) -> Result<Vec<Triangle>, (usize, LineError)> {
+pub fn parse_scene(text: &str) -> Result<Vec<SceneLine>, (usize, LineError)> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let mut triangles = Vec::new();
-    for (index, line) in text.lines().enumerate() {
-        if line.trim().is_empty() {
+    for (index, text) in text.lines().enumerate() {
+        if text.trim().is_empty() {
             continue;
         }
-        let Request { id, primitive, shading } =
-            parse_line(line).map_err(|error| (index + 1, error))?;
+        let line = index + 1;
+        let Request { id, primitive, shading } = parse_line(text).map_err(|error| (line, error))?;
         let place = format!("field `{}`", primitive.key());
-        if shading.is_some() {
-            let place = "field `channels`".to_owned();
-            return Err((index + 1, LineError { id, place, fault: Fault::SceneChannels }));
-        }
-        if let Primitive::Triangle(triangle) = primitive {
-            triangles.push(triangle);
-            continue;
-        }
-        return Err((index + 1, LineError { id, place, fault: Fault::NotTriangle }));
+        let Primitive::Triangle(triangle) = primitive else {
+            return Err((line, LineError { id, place, fault: Fault::NotTriangle }));
+        };
+        triangles.push(SceneLine { line, triangle, shading });
     }
     Ok(triangles)
 }

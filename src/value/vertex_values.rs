@@ -81,12 +81,12 @@ pub enum ValueError {
         got: usize,
     },
     /// A triangle whose vertices do not all have values.
-    #[error("channel {channel:?}: {place}; give every vertex of the scene a value")]
+    #[error("channel {channel:?}: {what}; give every vertex of the scene a value")]
     Absent {
         /// The channel.
         channel: String,
-        /// The first place without.
-        place: String,
+        /// What has none.
+        what: String,
     },
     /// A real that has no code.
     #[error("channel {channel:?}, vertex {vertex}: {value} is not finite; give a number")]

@@ -34,6 +34,7 @@ use crate::case::Class;
 use crate::format::{Column, ReadOut};
 use crate::profile::Profile;
 use crate::setup::Triangle;
+use crate::value::VertexValues;
 
 /// A file of a bench, before it has rows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -155,6 +156,8 @@ pub struct Source {
     pub profile: Profile,
     /// Triangles of the scene, on the profile's grid.
     pub scene: std::sync::Arc<Vec<Triangle>>,
+    /// What they bring for channels, parallel to them; empty where the scene brings nothing.
+    pub values: std::sync::Arc<Vec<VertexValues>>,
     /// Seed of the random classes.
     pub seed: u64,
     /// Rows asked for in each walk file.

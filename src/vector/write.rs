@@ -14,6 +14,7 @@ use super::plan::Shard;
 use super::table::RowFormat;
 use crate::profile::Profile;
 use crate::setup::Triangle;
+use crate::value::VertexValues;
 use finish::finish;
 use place::Place;
 use serde::{Deserialize, Serialize};
@@ -38,6 +39,8 @@ pub struct SetRequest {
     pub scene_name: String,
     /// Triangles on the profile's grid.
     pub scene: Arc<Vec<Triangle>>,
+    /// What they bring for channels, parallel to them; empty where the scene brings nothing.
+    pub values: Arc<Vec<VertexValues>>,
     /// Triangles that did not make it there.
     pub refused: u64,
 }
@@ -193,6 +196,7 @@ fn source(request: &SetRequest, options: &Options) -> Source {
     Source {
         profile: request.profile.clone(),
         scene: Arc::clone(&request.scene),
+        values: Arc::clone(&request.values),
         seed: options.seed,
         count: options.count,
     }

@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Stdio;
 
 /// A channel of 8 bits under the guard clamp, unless `rest` says otherwise.
-fn channel(name: &str, components: &str, interpolation: u32, rest: &str) -> String {
+pub(crate) fn channel(name: &str, components: &str, interpolation: u32, rest: &str) -> String {
     format!(
         "\n[[channel]]\nname = \"{name}\"\ncomponents = {components}\nguard = 1\ninteger = 8\n\
          interpolation = {interpolation}\nrounding = \"nearest-even\"\nclamp = \"guard\"\n{rest}\n"
@@ -199,7 +199,8 @@ fn pictures_show_channels_of_a_mesh() {
     run_in(home.path(), "render p.toml --scene knot --show channel")
         .complains(2, &["has no \"color\""]);
     std::fs::write(home.path().join("m.obj"), mesh.replace("2/2", "2")).unwrap();
-    render("--show channel").complains(2, &["m.obj", "line 9: corner 2 of `f` has no texture"]);
+    render("--show channel")
+        .complains(2, &["m.obj: line 9: channel", "corner 2 of `f` has no texture"]);
     std::fs::write(home.path().join("m.obj"), mesh.replace("v 9 9 0 1 0 .5", "v 4 -9 0 1 0 .5"))
         .unwrap();
     render("--show channel").complains(2, &["m.obj: line 9: `f` crosses itself"]);

@@ -21,13 +21,7 @@ use std::sync::Mutex;
 
 fn sweep(base: &Profile, axes: &[&str], triangles: Vec<scene::Triangle>) -> Sweep {
     let axes = axes.iter().map(|text| Axis::parse(text).unwrap()).collect();
-    let scene = Scene {
-        name: "case".to_owned(),
-        triangles,
-        dropped: 0,
-        lens: None,
-        attributes: guardbit::scene::Attributes::default(),
-    };
+    let scene = Scene::new("case", triangles);
     let scenes = vec![Reference::new(scene, base)];
     Sweep { space: Space::new(base.clone(), axes).unwrap(), scenes }
 }

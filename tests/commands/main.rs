@@ -4,6 +4,8 @@
 
 #[path = "../support/device.rs"]
 mod device;
+#[path = "../support/gltf.rs"]
+mod gltf;
 #[path = "../support/run.rs"]
 mod run;
 #[path = "../support/set.rs"]
@@ -25,6 +27,7 @@ mod machine_list;
 mod profile;
 mod prove;
 mod resume;
+mod scenes;
 mod set_check;
 mod spec;
 mod vectors;

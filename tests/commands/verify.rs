@@ -44,7 +44,8 @@ pub(crate) struct Golden {
 impl Golden {
     pub(crate) fn of(request: SetRequest, count: u64) -> Self {
         let (profile, scene) = (request.profile.clone(), request.scene.clone());
-        let source = Source { profile: profile.clone(), scene, seed: 1, count };
+        let values = std::sync::Arc::default();
+        let source = Source { profile: profile.clone(), scene, values, seed: 1, count };
         let set = set::write_request(request, &options(count));
         Self { set, source, profile, keep: tempfile::tempdir().unwrap() }
     }

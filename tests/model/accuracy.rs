@@ -13,7 +13,7 @@ use guardbit::measure::accuracy::{Drawn, Reference, Stage, Tally, Truth, measure
 use guardbit::measure::error::{SampleError, exact_rule, triangle_error};
 use guardbit::model::{Drawing, Model};
 use guardbit::profile::{Form, Profile, WindowConfig, load};
-use guardbit::scene::{self, Attributes, Lens, Scene};
+use guardbit::scene::{self, Lens, Scene};
 use guardbit::setup::{Division, Triangle};
 use guardbit::value::{DepthConfig, StartBias};
 use num_traits::ToPrimitive;
@@ -85,13 +85,7 @@ fn triangles(words: &mut Words, profile: &Profile) -> Vec<scene::Triangle> {
 }
 
 fn stage_of(triangles: Vec<scene::Triangle>, lens: Option<Lens>, base: &Profile) -> Stage {
-    let scene = Scene {
-        name: "case".to_owned(),
-        triangles,
-        dropped: 0,
-        lens,
-        attributes: Attributes::default(),
-    };
+    let scene = Scene { lens, ..Scene::new("case", triangles) };
     let reference = Reference::new(scene, base);
     let (grid, clip) = (base.grid().unwrap(), base.window().unwrap());
     let truth = Truth::new(&reference, &grid, clip, exact_rule(&base.form));
@@ -341,13 +335,7 @@ fn an_integer_scene_on_its_own_grid_has_no_snap_error_and_on_a_coarser_one_has()
     let profile = load("tiny").unwrap();
     let xy = [[1, 1], [7, 2], [2, 7]];
     let given = vec![scene::Triangle::Lattice { xy, z: Some([0, 7, 3]) }];
-    let scene = Scene {
-        name: "case".to_owned(),
-        triangles: given,
-        dropped: 0,
-        lens: None,
-        attributes: Attributes::default(),
-    };
+    let scene = Scene::new("case", given);
     let reference = Reference::new(scene, &profile);
     let (clip, rule) = (profile.window().unwrap(), Rule::TopLeft);
     let on = |profile: &Profile| {
@@ -408,13 +396,7 @@ fn depth_of_64_bits_keeps_every_bit() {
     assert!(tally.depth.ulp.worst < 0.5);
     assert_eq!((tally.inversions, tally.ties), (0, 0));
 
-    let scene = Scene {
-        name: "deep".to_owned(),
-        triangles: given,
-        dropped: 0,
-        lens: None,
-        attributes: Attributes::default(),
-    };
+    let scene = Scene::new("deep", given);
     let reference = Reference::new(scene, &base);
     let mut finer = base.clone();
     finer.vertex.sub_pixel = 3;

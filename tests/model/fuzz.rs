@@ -24,8 +24,23 @@ fn seeds(target: &str) -> Vec<String> {
             r#"{"clip": [[0,0,0,1],[8,0,7,1],[0,8,7,1]]}"#,
             r#"{"words": ["64","64","96","64","64","96","48","48","127","127"]}"#,
         ],
-        "scene" => &["{\"v\": [[0,0],[8,0],[0,8]]}\n\n{\"f\": [[0,0,1e300],[4.5,0,0],[0,-4,1]]}\n"],
-        "mesh" => &["v 0 0 0\nv 1e3 0 0\nv 0 1 .5\nv 0 0 1 # a comment\nf 1 2 3 -1\n"],
+        "scene" => &[
+            "{\"v\": [[0,0],[8,0],[0,8]]}\n\n{\"f\": [[0,0,1e300],[4.5,0,0],[0,-4,1]]}\n",
+            r#"{"v": [[0,0],[8,0],[0,8]], "q": [1,2,3], "channels": {"c": [[1],[2],[3]], "d": [[],[],[]]}}"#,
+        ],
+        "mesh" => &[
+            "v 0 0 0\nv 1e3 0 0\nv 0 1 .5\nv 0 0 1 # a comment\nf 1 2 3 -1\n",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty double y\nproperty short z\n\
+             property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 1\n\
+             property list uchar int vertex_indices\nend_header\n0 0 0 1 2 3\n1 0 0 1 2 3\n0 .5 0 1 2 3\n3 0 1 2\n",
+            "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n",
+            r#"{"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"camera":0,"scale":[1,2,3]}],
+            "cameras":[{"type":"perspective","perspective":{"yfov":1,"znear":0.1}}],"buffers":[{"byteLength":36,
+            "uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}],
+            "bufferViews":[{"buffer":0,"byteLength":36}],
+            "accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3}],
+            "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":0},"mode":5}]}]}"#,
+        ],
         "layout" => &["x:11", "-mode:4@28 rows:11@16 count:11", "a[16]:8@4 %d", "b:32 %8x"],
         "words" => &["64 64 96 64 64 96 48 48 127 127", "0 ffffffff 80000000"],
         "axis" => &["guard=0..2,4", "form=tiles,scanline", "rounding=floor", "edge-width=exact"],
@@ -93,7 +108,12 @@ fn the_seeds_are_read() {
         scene::lines::parse_line(&seed).unwrap();
     }
     scene::lines::parse_scene(&seeds("scene")[0]).unwrap();
-    assert_eq!(scene::mesh::parse(&seeds("mesh")[0]).unwrap().triangles.len(), 2);
+    let meshes = seeds("mesh");
+    assert_eq!(scene::mesh::obj::parse(&meshes[0]).unwrap().triangles.len(), 2);
+    assert_eq!(scene::mesh::ply::parse(meshes[1].as_bytes()).unwrap().triangles.len(), 1);
+    assert_eq!(scene::mesh::stl::parse(meshes[2].as_bytes()).unwrap().triangles.len(), 1);
+    let gltf = scene::mesh::gltf::parse(meshes[3].as_bytes(), std::path::Path::new("")).unwrap();
+    assert_eq!(gltf.triangles.len(), 1);
     Layout::parse(&seeds("layout")).unwrap();
     for seed in seeds("axis") {
         Axis::parse(&seed).unwrap();

@@ -82,6 +82,7 @@ fn sets_stand_up_to_recomputation_and_hold_every_directed_class() {
         let source = Source {
             profile: set::profile(&name),
             scene: set::request(&set::profile(&name), "fan").scene,
+            values: std::sync::Arc::default(),
             seed: manifest.seed,
             count: manifest.count,
         };

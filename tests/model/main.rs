@@ -2,6 +2,8 @@
 //! once and both cores have work.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
+#[path = "../support/gltf.rs"]
+mod gltf;
 #[path = "../oracle/cover.rs"]
 mod oracle;
 #[path = "../support/run.rs"]
@@ -21,6 +23,7 @@ mod interpolation;
 mod lines;
 mod machine_vectors;
 mod machines;
+mod meshes;
 mod multisample;
 mod polygons;
 mod property;

@@ -26,13 +26,7 @@ fn base() -> Profile {
 }
 
 fn scene_of(triangles: Vec<scene::Triangle>, lens: Option<Lens>) -> Scene {
-    Scene {
-        name: "case".to_owned(),
-        triangles,
-        dropped: 0,
-        lens,
-        attributes: scene::Attributes::default(),
-    }
+    Scene { lens, ..Scene::new("case", triangles) }
 }
 
 fn bits(found: &Requirements, field: &str) -> u32 {

@@ -93,12 +93,14 @@ pub(crate) fn request(profile: &Profile, scene: &str) -> SetRequest {
         profile: profile.clone(),
         scene_name: scene.to_owned(),
         scene: Arc::new(snapped(profile, scene)),
+        values: Arc::default(),
         refused: 0,
     }
 }
 
 pub(crate) fn source(profile: &Profile, scene: &str, count: u64) -> Source {
-    Source { profile: profile.clone(), scene: Arc::new(snapped(profile, scene)), seed: 1, count }
+    let (profile, scene) = (profile.clone(), Arc::new(snapped(profile, scene)));
+    Source { profile, scene, values: Arc::default(), seed: 1, count }
 }
 
 /// Writes the set of a profile and a built-in scene.

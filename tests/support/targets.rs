@@ -60,19 +60,30 @@ pub fn eval(data: &[u8]) {
 pub fn scene(data: &[u8]) {
     let Ok(text) = std::str::from_utf8(data) else { return };
     let Ok(triangles) = lines::parse_scene(text) else { return };
-    let write = |list: &[guardbit::scene::Triangle]| -> String {
-        list.iter().map(|triangle| lines::to_line(7, triangle) + "\n").collect()
+    let write = |list: &[lines::SceneLine]| -> String {
+        let line = |one: &lines::SceneLine| lines::to_line(7, &one.triangle, one.shading.as_ref());
+        list.iter().map(|one| line(one) + "\n").collect()
     };
     let written = write(&triangles);
     // As text: a NaN is not equal to itself.
     assert_eq!(write(&lines::parse_scene(&written).unwrap()), written);
 }
 
-/// OBJ meshes: every corner that is taken is finite.
+/// Meshes of every format: every corner that is taken is finite, and brings its values.
 pub fn mesh(data: &[u8]) {
-    let Ok(text) = std::str::from_utf8(data) else { return };
-    if let Ok(faces) = mesh::parse(text) {
-        assert!(faces.triangles.iter().flatten().flatten().all(|value| value.is_finite()));
+    let read = [
+        mesh::obj::parse(&String::from_utf8_lossy(data)).ok(),
+        mesh::ply::parse(data).ok(),
+        mesh::stl::parse(data).ok(),
+        mesh::gltf::parse(data, std::path::Path::new("no-such-folder")).ok(),
+    ];
+    for mesh in read.into_iter().flatten() {
+        assert!(mesh.triangles.iter().flatten().flatten().all(|value| value.is_finite()));
+        assert_eq!(mesh.places.len(), mesh.triangles.len());
+        let fits = |set: &guardbit::scene::AttributeSet| {
+            set.values.len() == 3 * set.components * mesh.triangles.len()
+        };
+        assert!(mesh.sets.iter().all(fits));
     }
 }
 

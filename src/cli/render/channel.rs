@@ -53,17 +53,13 @@ impl Paint {
     pub(super) fn draw(
         &self,
         model: &Model,
-        (source, scene): (&str, &SnappedScene),
+        scene: &SnappedScene,
         canvas: &mut Canvas,
     ) -> Result<String, Failure> {
         let mut refused = 0u64;
-        for (n, triangle) in scene.numbers.iter().zip(&scene.triangles) {
-            // What the scene lacks is no matter of one triangle.
-            let values = model.scene_values(&scene.attributes, *n);
-            let values = values
-                .map_err(|error| Failure::input(format!("{source}: triangle {n}: {error}")))?;
+        for (triangle, values) in scene.triangles.iter().zip(&scene.values(model)?) {
             let mut brush = Brush { paint: self, canvas, seen: Vec::new() };
-            refused += u64::from(model.draw(Input::Shaded(triangle, &values), &mut brush).is_err());
+            refused += u64::from(model.draw(Input::Shaded(triangle, values), &mut brush).is_err());
         }
         let samples: u64 = canvas.hits.iter().map(|hits| u64::from(*hits)).sum();
         let ((low, high), name) = (self.config.range(), &self.config.name);

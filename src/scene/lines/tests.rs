@@ -153,7 +153,7 @@ fn a_line_written_is_the_line_read() {
     let real =
         Triangle::Real { xy: [[0.1, -0.0], [1e300, 5e-324], [f64::MAX, 1.0 / 3.0]], z: None };
     for want in [lattice, real] {
-        let line = to_line(u64::MAX, &want);
+        let line = to_line(u64::MAX, &want, None);
         assert!(!line.contains('\n'));
         let got = parse_line(&line).unwrap();
         assert_eq!(got.id.unwrap(), u64::MAX.to_string());
@@ -163,7 +163,7 @@ fn a_line_written_is_the_line_read() {
         xy: [[0.0; 2]; 3],
         z: Some([f64::from_bits(0x7ff0_0000_0000_0001), f64::INFINITY, f64::NEG_INFINITY]),
     };
-    let Triangle::Real { z: Some(z), .. } = triangle(&to_line(0, &odd)) else { panic!() };
+    let Triangle::Real { z: Some(z), .. } = triangle(&to_line(0, &odd, None)) else { panic!() };
     assert_eq!(z.map(f64::to_bits), [0x7ff0_0000_0000_0001, 0x7ff0 << 48, 0xfff0 << 48]);
 }
 
@@ -200,5 +200,22 @@ fn channels_stand_beside_vertices() {
     ] {
         let got = message(&format!("{{{tail}}}"));
         assert!(got.contains(want), "{tail}: {got}");
+    }
+}
+
+#[test]
+fn channels_written_are_the_channels_read() {
+    let codes = vec![("a \"b\"".to_owned(), vec![[i128::MIN, 0, 7], [1, 2, i128::MAX]])];
+    let lattice = Triangle::Lattice { xy: [[0, 0], [1, 0], [0, 1]], z: None };
+    let reals = vec![("n".to_owned(), vec![[0.1, -1e300, 5e-324]]), ("none".to_owned(), vec![])];
+    let real = Triangle::Real { xy: [[0.0; 2]; 3], z: Some([1.0; 3]) };
+    for (triangle, shading) in [
+        (&lattice, Shading::Codes { channels: codes.clone(), inverse_w: Some([1, 2, 3]) }),
+        (&lattice, Shading::Codes { channels: codes, inverse_w: None }),
+        (&real, Shading::Reals { channels: reals, w: Some([0.5, 1.0, 1e9]) }),
+    ] {
+        let line = format!("\n{}\n", to_line(3, triangle, Some(&shading)));
+        let want = SceneLine { line: 2, triangle: triangle.clone(), shading: Some(shading) };
+        assert_eq!(parse_scene(&line).unwrap(), [want]);
     }
 }

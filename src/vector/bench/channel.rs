@@ -12,12 +12,10 @@ use crate::case::Words;
 use crate::format::{Clamp, Column, Role, WordFormat};
 use crate::model::Model;
 use crate::setup::Triangle;
+use crate::value::VertexValues;
 use crate::vector::device::{ChannelDrawer, Stimulus};
 use crate::vector::table::{RowFormat, Table};
 use std::sync::Arc;
-
-/// The largest bounding box, in pixels, that the bench draws.
-const LARGEST: u64 = 256;
 
 /// Class of the random words behind the codes of vertices.
 const CODES: u64 = 12;
@@ -44,12 +42,17 @@ impl Stimulus for ChannelTest {
 pub struct ChannelBench {
     model: Arc<Model>,
     triangles: Triangles,
+    /// What the triangles of the scene bring.
+    values: Arc<Vec<VertexValues>>,
     seed: u64,
     cfg: FileSpec,
     answers: ChannelAnswers<FileSpec>,
 }
 
 impl ChannelBench {
+    /// The largest bounding box, in pixels, that the bench draws.
+    pub const LARGEST: u64 = 256;
+
     /// The bench of a profile with channels.
     pub fn new(source: &Source) -> Option<Self> {
         if source.profile.channel.is_empty() {
@@ -66,7 +69,7 @@ impl ChannelBench {
             u64::from(x1 - x0) * u64::from(y1 - y0)
         };
         let random = Random { rows_per_test: 256, class: 11, reach: Some(12) };
-        let fits = |triangle: &Triangle| samples(triangle) <= LARGEST;
+        let fits = |triangle: &Triangle| samples(triangle) <= Self::LARGEST;
         let rows = |given: &Given| match given {
             Given::Triangle(triangle) => samples(triangle) / 2 + 1,
             Given::Words(_) => 1,
@@ -74,7 +77,8 @@ impl ChannelBench {
         let triangles = Triangles::new(source, random, (Vec::new(), None), fits, rows);
         let cfg = FileSpec::ordered("channel.cfg", columns(&model));
         let answers = answers(&model);
-        Some(Self { model, triangles, seed: source.seed, cfg, answers })
+        let values = Arc::clone(&source.values);
+        Some(Self { model, triangles, values, seed: source.seed, cfg, answers })
     }
 
     /// The reference model.
@@ -82,8 +86,16 @@ impl ChannelBench {
         &self.model
     }
 
-    /// The codes of a test: any, ends of the range, or close together; w near and far.
-    fn codes(&self, test: u64) -> (Vec<[i128; 3]>, Option<[i128; 3]>) {
+    /// The codes of a test: those of the scene, or drawn.
+    fn codes(&self, at: TestAt) -> (Vec<[i128; 3]>, Option<[i128; 3]>) {
+        match self.triangles.number(at).and_then(|n| self.values.get(n)) {
+            Some(values) => (values.components().to_vec(), values.inverse_w()),
+            None => self.drawn(at.test),
+        }
+    }
+
+    /// Any codes, ends of the range, or close together; w near and far.
+    fn drawn(&self, test: u64) -> (Vec<[i128; 3]>, Option<[i128; 3]>) {
         let profile = self.model.profile();
         let mut words = Words::new(self.seed, CODES, test);
         let kind = words.below(3);
@@ -164,7 +176,7 @@ impl TestBench for ChannelBench {
     type Test = ChannelTest;
 
     fn test(&self, at: TestAt, _: u64) -> ChannelTest {
-        let (codes, inverse_w) = self.codes(at.test);
+        let (codes, inverse_w) = self.codes(at);
         ChannelTest { test: at.test, triangle: self.given(at), codes, inverse_w }
     }
 
@@ -223,7 +235,7 @@ impl Bench for ChannelBench {
     }
 
     fn describe(&self, at: TestAt) -> String {
-        let (codes, inverse_w) = self.codes(at.test);
+        let (codes, inverse_w) = self.codes(at);
         let q = inverse_w.map_or_else(String::new, |q| format!(", q {q:?}"));
         format!("{}; codes {codes:?}{q}", self.triangles.at(at).describe())
     }

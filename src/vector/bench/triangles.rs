@@ -19,7 +19,8 @@ pub(super) enum Given {
 #[derive(Clone, Debug)]
 pub(super) struct Triangles {
     directed: Vec<Directed<Given>>,
-    scene: Vec<Triangle>,
+    /// With their numbers in the scene.
+    scene: Vec<(usize, Triangle)>,
     stimulus: Stimulus,
     seed: u64,
     random: Random,
@@ -62,7 +63,8 @@ impl Triangles {
         // The columns of a vertex hold zeros where the scene has no depth: so it has a depth of 0.
         let flat = source.profile.depth.map(|_| [0; 3]);
         let with_depth = |triangle: &Triangle| Triangle { z: triangle.z.or(flat), ..*triangle };
-        let scene: Vec<Triangle> = source.scene.iter().map(with_depth).filter(fits).collect();
+        let scene = source.scene.iter().map(with_depth).enumerate();
+        let scene: Vec<(usize, Triangle)> = scene.filter(|(_, triangle)| fits(triangle)).collect();
         let share = source.count / random.rows_per_test;
         let mut groups: Vec<Group> = directed
             .iter()
@@ -78,13 +80,22 @@ impl Triangles {
         &self.groups
     }
 
+    /// The number in the scene of the triangle of a test, where it comes from the scene.
+    pub(super) fn number(&self, at: TestAt) -> Option<usize> {
+        (at.group == self.directed.len()).then(|| self.of_scene(at).0)
+    }
+
+    fn of_scene(&self, at: TestAt) -> (usize, Triangle) {
+        self.scene[scattered(at.index, self.scene.len())]
+    }
+
     /// What a test gives.
     pub(super) fn at(&self, at: TestAt) -> Given {
         if let Some(class) = self.directed.get(at.group) {
             return class.tests[place(at.index)].clone();
         }
         Given::Triangle(if at.group == self.directed.len() {
-            self.scene[scattered(at.index, self.scene.len())]
+            self.of_scene(at).1
         } else {
             let words = Words::new(self.seed, self.random.class, at.index);
             self.stimulus.random(words, self.random.reach)

@@ -3,8 +3,12 @@
 use super::open::{canonical, first_difference, shown};
 use super::{BUFFER, CheckError, Finding, OpenSet, io};
 use crate::model::Model;
-use crate::scene::{self, lines};
+use crate::scene::{
+    self,
+    lines::{self, SceneLine},
+};
 use crate::setup::Triangle;
+use crate::value::VertexValues;
 use crate::vector::bench::Source;
 use crate::vector::emit::{Output, emit, files};
 use crate::vector::manifest::{self, FileEntry, Manifest};
@@ -16,11 +20,11 @@ use std::io::{BufReader, ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The triangles of a set's scene file.
+/// The triangles of a set's scene file, and what they bring for channels.
 ///
 /// # Errors
 /// [`CheckError`] with file and line.
-pub fn read_scene(set: &OpenSet) -> Result<Vec<Triangle>, CheckError> {
+pub fn read_scene(set: &OpenSet) -> Result<(Vec<Triangle>, Vec<VertexValues>), CheckError> {
     let path = set.folder.join("scene.jsonl");
     let text = std::fs::read_to_string(&path).map_err(io(&path))?;
     let bad = |line: usize, message: String| CheckError::Malformed {
@@ -28,21 +32,30 @@ pub fn read_scene(set: &OpenSet) -> Result<Vec<Triangle>, CheckError> {
         line,
         message,
     };
-    let triangles =
-        lines::parse_scene(&text).map_err(|(line, error)| bad(line, error.to_string()))?;
+    let read = lines::parse_scene(&text).map_err(|(line, error)| bad(line, error.to_string()))?;
     let model = Model::new(&set.manifest.profile).map_err(|error| bad(1, error.to_string()))?;
-    let snap = |(n, triangle): (usize, &scene::Triangle)| {
-        let snapped = model.snap(triangle).map_err(|error| bad(n + 1, error.to_string()));
-        snapped.map(|triangle| *triangle)
-    };
-    triangles.iter().enumerate().map(snap).collect()
+    let (mut triangles, mut values) = (Vec::new(), Vec::new());
+    for SceneLine { line, triangle, shading } in &read {
+        let triangle = model.snap(triangle).map_err(|error| bad(*line, error.to_string()))?;
+        triangles.push(*triangle);
+        if let Some(shading) = shading {
+            let found = model.shading(shading).map_err(|error| bad(*line, error.to_string()))?;
+            values.push(found);
+        }
+    }
+    if ![0, triangles.len()].contains(&values.len()) {
+        let without = read.iter().find(|line| line.shading.is_none()).map_or(1, |line| line.line);
+        return Err(bad(without, "the triangle has no `channels`, but others have".to_owned()));
+    }
+    Ok((triangles, values))
 }
 
 /// What the set's benches are made from, its scene as given.
-pub fn source(set: &OpenSet, scene: Vec<Triangle>) -> Source {
+pub fn source(set: &OpenSet, (scene, values): (Vec<Triangle>, Vec<VertexValues>)) -> Source {
     Source {
         profile: set.manifest.profile.clone(),
         scene: Arc::new(scene),
+        values: Arc::new(values),
         seed: set.manifest.seed,
         count: set.manifest.count,
     }
@@ -131,7 +144,8 @@ pub(super) fn recompute(
         set.manifest.files.iter().filter(|file| !file.columns.is_empty()).cloned().collect();
     let (set_name, profile) = (&set.manifest.set, &set.manifest.profile);
     made.unchecked = unchecked(set_name, profile, &vector_files, format, zstd);
-    for (name, text) in companions(set_name, profile, &source.scene, &vector_files, format, zstd) {
+    let scene = (&source.scene[..], &source.values[..]);
+    for (name, text) in companions(set_name, profile, scene, &vector_files, format, zstd) {
         made.files.push(as_listed(set, name.clone(), text.lines().count() as u64));
         if wanted(&name) {
             let path = set.folder.join(&name);
@@ -179,7 +193,7 @@ fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
         let made = scene::load(name, &model.viewport()).ok()?;
         let snapped: Vec<Triangle> =
             made.triangles.iter().filter_map(|given| model.snap(given).ok().map(|t| *t)).collect();
-        let expected = scene_text(&snapped, &manifest.profile.vertex);
+        let expected = scene_text(&snapped, &[], &manifest.profile);
         if manifest::sha256(expected.as_bytes()) == manifest.scene.sha256 {
             return first_difference(path, &bytes, expected.as_bytes()).line;
         }

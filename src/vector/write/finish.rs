@@ -4,8 +4,9 @@ use super::interface::interface;
 use super::{Options, Part, SetRequest, file_name};
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
-use crate::scene::{self, lines};
-use crate::setup::{Triangle, VertexConfig};
+use crate::scene::{self, Shading, lines};
+use crate::setup::Triangle;
+use crate::value::{AttributeConfig, VertexValues};
 use crate::vector::bench::{Bench, Cells};
 use crate::vector::emit::Emitted;
 use crate::vector::formal;
@@ -19,30 +20,42 @@ use std::fs::File;
 use std::io::{Error, Result, Write};
 use std::path::Path;
 
-/// The scene file: triangles on the profile's grid, in `eval`'s form.
-pub fn scene_text(scene: &[Triangle], vertex: &VertexConfig) -> String {
+/// The scene file: triangles on the profile's grid and their codes, if they bring any, in `eval`'s form.
+pub fn scene_text(scene: &[Triangle], values: &[VertexValues], profile: &Profile) -> String {
     let mut text = String::new();
     for (id, triangle) in scene.iter().enumerate() {
-        let xy = vertex.to_input(triangle.xy);
+        let xy = profile.vertex.to_input(triangle.xy);
         let lattice = scene::Triangle::Lattice { xy, z: triangle.z };
-        text.push_str(&lines::to_line(id as u64, &lattice));
+        let shading = values.get(id).map(|values| shading(values, profile));
+        text.push_str(&lines::to_line(id as u64, &lattice, shading.as_ref()));
         text.push('\n');
     }
     text
+}
+
+/// Codes by the names of their channels.
+fn shading(values: &VertexValues, profile: &Profile) -> Shading {
+    let mut components = values.components().iter().copied();
+    let channel = |config: &AttributeConfig| {
+        let codes = components.by_ref().take(config.components.len()).collect();
+        (config.name.clone(), codes)
+    };
+    let channels = profile.channel.iter().map(channel).collect();
+    Shading::Codes { channels, inverse_w: values.inverse_w() }
 }
 
 /// The files of a set that are not vectors, in order.
 pub fn companions(
     set: &str,
     profile: &Profile,
-    scene: &[Triangle],
+    (scene, values): (&[Triangle], &[VertexValues]),
     vector_files: &[FileEntry],
     format: RowFormat,
     zstd: bool,
 ) -> Vec<(String, String)> {
     let mut list = vec![
         ("profile.toml".to_owned(), profile.to_toml()),
-        ("scene.jsonl".to_owned(), scene_text(scene, &profile.vertex)),
+        ("scene.jsonl".to_owned(), scene_text(scene, values, profile)),
     ];
     // The benches read the golden form only.
     if format == RowFormat::Tv && !zstd {
@@ -106,7 +119,7 @@ pub(super) fn finish(
     let companions = companions(
         &request.name,
         &request.profile,
-        &request.scene,
+        (&request.scene, &request.values),
         &entries,
         options.format,
         options.zstd,

@@ -1,8 +1,8 @@
-//! What can be wrong with a mesh.
+//! What can be wrong with an OBJ mesh.
 
-/// Why a mesh cannot be read. Lines count from 1; a continued line has the number of its start.
+/// Why an OBJ mesh cannot be read. Lines count from 1; a continued line has the number of its start.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-pub enum MeshError {
+pub enum ObjError {
     /// A vertex with too few coordinates.
     #[error("line {line}: `{statement}` has {got} numbers, but needs {need}")]
     Short {
@@ -100,9 +100,4 @@ pub enum MeshError {
         /// How many vertices there are.
         vertices: usize,
     },
-    /// All corners in one place, so that no camera can frame them.
-    #[error(
-        "all faces lie in the same point; the mesh needs an extent > 0 to fit it to the window"
-    )]
-    NoExtent,
 }
