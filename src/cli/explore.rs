@@ -132,6 +132,43 @@ impl SpaceArguments {
     }
 }
 
+/// Refuses metrics of channels that the profile does not have, or that a scene has no values for.
+pub(crate) fn check_channels(
+    sweep: &Sweep,
+    sources: &[String],
+    metrics: &[Metric],
+) -> Result<(), Failure> {
+    let base = sweep.space.base();
+    for metric in metrics {
+        let Some(name) = metric.channel() else { continue };
+        let names: Vec<&str> = base.channel.iter().map(|own| own.name.as_str()).collect();
+        if !names.contains(&name) {
+            let known = if names.is_empty() { "no channels".to_owned() } else { names.join(", ") };
+            return Err(Failure::input(format!(
+                "{}: there is no metric of this name, and {} has {known}; the metrics are {}",
+                metric.name,
+                base.name,
+                metric::names()
+            )));
+        }
+        if base.multisample.is_some() {
+            return Err(Failure::input(format!(
+                "{}: channels are measured where a pixel has one sample; remove [multisample]",
+                metric.name
+            )));
+        }
+        let model = Model::new(base).map_err(Failure::input)?;
+        for (scene, source) in sweep.scenes.iter().zip(sources) {
+            for n in 0..scene.triangles.len() {
+                let values = model.scene_values(&scene.attributes, n);
+                values
+                    .map_err(|error| Failure::input(format!("{source}: triangle {n}: {error}")))?;
+            }
+        }
+    }
+    Ok(())
+}
+
 /// `name=value`.
 pub(crate) fn in_words_budget(name: &str, value: impl std::fmt::Display) -> String {
     format!("{name}={value}")
@@ -183,6 +220,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     } else {
         arguments.objectives.clone()
     };
+    check_channels(&sweep, &arguments.space.scenes, &objectives)?;
     arguments.files.check()?;
     let threads = super::vectors::threads(arguments.space.threads);
     let session = Session::new(&sweep, threads);

@@ -5,7 +5,9 @@ mod print;
 mod report;
 
 use super::Outcome;
-use super::explore::{PATIENCE, SpaceArguments, columns_help, in_words, parse_metric};
+use super::explore::{
+    PATIENCE, SpaceArguments, check_channels, columns_help, in_words, parse_metric,
+};
 use super::failure::Failure;
 use super::output::{Output, write_text};
 use super::progress;
@@ -159,11 +161,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             "--cost {}: this metric is not a cost that follows from the bit widths alone",
             arguments.cost.name
         );
-        return Err(Failure::input(message).hint("the costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits and setup-bits"));
+        return Err(Failure::input(message).hint("the costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits, setup-bits, setup-area, setup-cycles and triangle-ns"));
     }
     let sweep = arguments.space.sweep(default_axes)?;
     refuse_own_depth(&sweep)?;
     let tolerances = with_defaults(arguments.tolerances.clone());
+    let metrics: Vec<Metric> = tolerances.iter().map(|tolerance| tolerance.metric).collect();
+    check_channels(&sweep, &arguments.space.scenes, &metrics)?;
     let (first, end) = arguments.shard.unwrap_or(Shard::WHOLE).range(sweep.space.len());
     let request = Request {
         sweep: &sweep,

@@ -1,10 +1,12 @@
 //! The fields of a profile that a search may vary, by name: the decisions that its owners list. Spec clause
 //! `Q-1`.
 
+mod channel;
 mod place;
 
 use crate::cover::{EdgeWordConfig, TraversalConfig};
 use crate::machine::{EdgeWalkConfig, kinds, triangle_machines};
+use crate::profile::Profile;
 use crate::setup::VertexConfig;
 use crate::value::DepthConfig;
 use std::fmt::Display;
@@ -25,9 +27,14 @@ enum Owner {
     Machine,
     /// The depth plane.
     Depth,
+    /// The channel of that name.
+    Channel(&'static str),
+    /// The plane of 1/w.
+    InverseW,
 }
 
-/// A field of a profile: a decision of the vertex field, the traversal, the machine or the depth plane.
+/// A field of a profile: a decision of the vertex field, the traversal, the machine, the depth plane, a
+/// channel or the plane of 1/w.
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
     decision: &'static Decision,
@@ -143,9 +150,16 @@ impl Field {
         self.decision.takes
     }
 
-    /// The field of that name.
+    /// The field of that name; `color.interpolation` is one of the channel `color`, `w.integer` one of 1/w.
     pub fn find(name: &str) -> Option<Self> {
-        Self::all().iter().copied().find(|field| field.name() == name)
+        let own = Self::all().iter().copied().find(|field| field.name() == name);
+        own.or_else(|| Self::of_channel(name))
+    }
+
+    /// Every field that a profile has, those of its channels last.
+    pub fn of_profile(profile: &Profile) -> Vec<Self> {
+        let own = Self::all().iter().copied().chain(Self::of_channels(profile));
+        own.filter(|field| field.read(profile).is_some()).collect()
     }
 
     /// The words that the field takes, beside or instead of numbers.

@@ -7,6 +7,7 @@
 
 mod bound;
 mod candidate;
+mod channel;
 mod exhaustive;
 mod group;
 mod judge;
@@ -70,6 +71,9 @@ pub struct Effort {
     pub by_cost: u64,
     /// Smaller than one that fails, where every larger one has to meet the tolerances.
     pub by_larger: u64,
+    /// Refuted by the codes of a channel.
+    #[serde(default)]
+    pub by_channel: u64,
 }
 
 impl Effort {
@@ -86,6 +90,7 @@ impl Effort {
             (&mut self.by_bound, other.by_bound),
             (&mut self.by_cost, other.by_cost),
             (&mut self.by_larger, other.by_larger),
+            (&mut self.by_channel, other.by_channel),
         ];
         for (to, from) in counts {
             *to += from;
@@ -94,8 +99,12 @@ impl Effort {
 
     /// Budgets that did not take a whole measurement.
     pub const fn pruned(&self) -> u64 {
-        let refuted =
-            self.by_snap + self.by_coverage + self.by_range + self.by_witness + self.by_part;
+        let refuted = self.by_snap
+            + self.by_coverage
+            + self.by_range
+            + self.by_witness
+            + self.by_part
+            + self.by_channel;
         refuted + self.by_sameness + self.by_bound + self.by_cost + self.by_larger
     }
 }

@@ -1,10 +1,15 @@
 //! The figures of a budget by name: what sweeps plot, fits bound and Pareto fronts weigh. All are
 //! better when smaller. Spec clause `Q-4`.
 
+mod channel;
+
+pub use channel::of_channels;
+
 use super::field::Level;
 use super::record::Record;
 use crate::measure::accuracy::{Accuracy, Deviation, Spread, ValueError};
 use crate::measure::cost::Cost;
+use channel::OfChannel;
 use std::cmp::Ordering;
 
 /// What a figure is read from.
@@ -13,6 +18,7 @@ enum Source {
     Cost(fn(&Cost) -> f64),
     Accuracy(fn(&Accuracy) -> Option<f64>),
     Record(fn(&Record) -> Option<f64>),
+    Channel(OfChannel),
 }
 
 /// What a figure is about. Searches ask this, never a name.
@@ -34,6 +40,8 @@ pub enum Subject {
     Triangles,
     /// The error of an interpolated value.
     Value(Interpolated, Scale),
+    /// The error of the codes of the channel of that name.
+    Channel(&'static str),
     /// The software model.
     Software,
 }
@@ -100,6 +108,7 @@ impl Metric {
             Source::Cost(read) => Some(read(&record.cost)),
             Source::Accuracy(read) => read(&record.accuracy),
             Source::Record(read) => read(record),
+            Source::Channel(figure) => figure.of(&record.accuracy),
         }
     }
 
@@ -115,6 +124,7 @@ impl Metric {
     pub fn of_accuracy(&self, accuracy: &Accuracy) -> Option<f64> {
         match self.source {
             Source::Accuracy(read) => read(accuracy),
+            Source::Channel(figure) => figure.of(accuracy),
             _ => None,
         }
     }
@@ -135,12 +145,13 @@ impl Metric {
 
     /// Whether the figure is one of accuracy.
     pub fn is_accuracy(&self) -> bool {
-        matches!(self.source, Source::Accuracy(_))
+        matches!(self.source, Source::Accuracy(_) | Source::Channel(_))
     }
 
-    /// The metric of that name.
+    /// The metric of that name; `color-worst` is one of the channel `color`, `map-worst@1024` one of the
+    /// channel `map` in texels of a texture of 1024.
     pub fn find(name: &str) -> Option<Self> {
-        all().find(|metric| metric.name == name)
+        all().find(|metric| metric.name == name).or_else(|| Self::of_channel(name))
     }
 }
 
@@ -154,7 +165,7 @@ const fn cost(
     Metric { name, unit, about, subject, cause, source: Source::Cost(read) }
 }
 
-const COST: [Metric; 7] = [
+const COST: [Metric; 10] = [
     cost("area", "um2", "cell area with ripple-carry adders", |c| c.ripple.area_um2),
     cost("area-prefix", "um2", "cell area with prefix adders", |c| c.prefix.area_um2),
     cost("delay", "ps", "delay of the slowest step with ripple-carry adders", |c| {
@@ -168,6 +179,18 @@ const COST: [Metric; 7] = [
     cost("setup-bits", "bits", "bits of the widest intermediate value of set-up", |c| {
         f64::from(c.setup_bits)
     }),
+    cost("setup-area", "um2", "cell area of what sets the planes of a triangle up", |c| {
+        c.set_up.area_um2
+    }),
+    cost("setup-cycles", "clocks", "clocks that the planes of a triangle take", |c| {
+        f64::from(c.set_up.cycles)
+    }),
+    cost(
+        "triangle-ns",
+        "ns",
+        "time that the planes of a triangle take at the clock of area",
+        |c| f64::from(c.set_up.cycles) * c.ripple.delay_ps / 1000.0,
+    ),
 ];
 
 /// The words of the tables below as causes and subjects.
@@ -325,7 +348,7 @@ const MEASURED: [Metric; 2] = [
     },
 ];
 
-/// Every metric: cost, coverage, values, software.
+/// Every metric but those of channels: cost, coverage, values, software.
 pub fn all() -> impl Iterator<Item = Metric> {
     COST.into_iter().chain(COUNTS).chain(SPREADS).chain(MEASURED)
 }

@@ -115,7 +115,8 @@ impl Axis {
         let (name, list) = text.split_once('=').ok_or_else(syntax)?;
         let field = Field::find(name.trim()).ok_or_else(|| SpaceError::Unknown {
             name: name.trim().to_owned(),
-            known: Field::all().iter().map(|field| field.name()).collect::<Vec<_>>().join(", "),
+            known: Field::all().iter().map(|field| field.name()).collect::<Vec<_>>().join(", ")
+                + ", and those of channels, such as color.interpolation or w.integer",
         })?;
         let mut values = Vec::new();
         for part in list.split(',').map(str::trim) {
@@ -337,7 +338,8 @@ impl Space {
 
 /// What a budget is made of, by name: its fields, and the bits of its words.
 pub fn describe(profile: &Profile) -> Vec<(&'static str, Value)> {
-    let fields = Field::all().iter().filter_map(|field| Some((field.name(), field.read(profile)?)));
+    let fields = Field::of_profile(profile);
+    let fields = fields.iter().filter_map(|field| Some((field.name(), field.read(profile)?)));
     let edge = match Field::EDGE_WIDTH.read(profile) {
         Some(Value::Bits(bits)) => Some(bits),
         _ => sum(profile, [Field::WALK_GUARD, Field::WALK_INTEGER, Field::WALK_FRACTION]),

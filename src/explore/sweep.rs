@@ -10,10 +10,12 @@ use super::field::Level;
 use super::record::{Record, Speed};
 use super::space::{Point, Space, describe};
 use crate::measure::accuracy::{
-    Accuracy, Drawn, Measured, Reference, Stage, Tally, Truth, depth_of, measure,
+    Accuracy, ChannelError, ChannelTally, Drawn, Measured, Reference, Stage, Tally, Truth,
+    depth_of, measure, measure_channels,
 };
 use crate::measure::cost::{Cost, Operations, estimate};
 use crate::measure::error::exact_rule;
+use crate::model::Model;
 use crate::profile::{InvalidProfile, Profile};
 use crate::value::DepthConfig;
 use std::sync::Mutex;
@@ -235,16 +237,37 @@ fn record(
         arithmetic.merge(&measured.tally);
     }
     let cost = estimate(profile).ok()?;
+    let mut accuracy = accuracy(scenes, &snap, &arithmetic);
+    accuracy.channels = channels(profile, scenes, drawn)?;
     Some(Record {
         index,
         budget: describe(profile),
-        accuracy: accuracy(scenes, &snap, &arithmetic),
+        accuracy,
         operations_per_fragment: operations(&cost, scenes, drawn),
         cost,
         speed: None,
         synthesis: None,
         pareto: false,
     })
+}
+
+/// The errors of the channels of a budget over all scenes that have values for them.
+pub(super) fn channels(
+    profile: &Profile,
+    scenes: &[Stage],
+    drawn: &[Drawn],
+) -> Option<Vec<ChannelError>> {
+    if scenes.iter().all(|scene| scene.shades.is_none()) {
+        return Some(Vec::new());
+    }
+    let (model, wanted) = (Model::new(profile).ok()?, vec![true; profile.channel.len()]);
+    let mut all = ChannelTally::of(wanted.len());
+    for (stage, drawn) in scenes.iter().zip(drawn) {
+        if let Some(tally) = measure_channels(stage, drawn, &model, &wanted) {
+            all.merge(&tally);
+        }
+    }
+    Some(all.report(profile))
 }
 
 pub(super) fn accuracy(scenes: &[Stage], snap: &Tally, arithmetic: &Tally) -> Accuracy {
@@ -255,6 +278,7 @@ pub(super) fn accuracy(scenes: &[Stage], snap: &Tally, arithmetic: &Tally) -> Ac
         world: units.join(" or "),
         snap: snap.report(),
         arithmetic: arithmetic.report(),
+        channels: Vec::new(),
     }
 }
 

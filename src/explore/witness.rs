@@ -5,7 +5,9 @@ use super::metric::{Cause, Interpolated, Metric, Scale, Subject};
 use super::sweep::{self, Sweep};
 use super::tolerance::{Tolerance, exceeded};
 use crate::bits::Event;
-use crate::measure::accuracy::{Drawn, Inspected, Place, Stage, Tally, Truth, What, measure};
+use crate::measure::accuracy::{
+    Drawn, Inspected, Place, Stage, Tally, Truth, What, WorstCode, measure, measure_channels,
+};
 use crate::measure::error::exact_rule;
 use crate::model::Model;
 use crate::profile::{InvalidProfile, Profile};
@@ -42,15 +44,20 @@ pub(super) fn witness(
     value: Value,
 ) -> Result<Option<Witness>, InvalidProfile> {
     let (mut snap, mut arithmetic) = (Tally::default(), Tally::default());
-    let mut each = Vec::new();
+    let (mut each, mut all_drawn) = (Vec::new(), Vec::new());
     for stage in stages {
         let drawn = Drawn::new(stage, profile)?;
         let own = measure(stage, &drawn, profile).tally;
         snap.merge(&stage.snap);
         arithmetic.merge(&own);
-        each.push(sweep::accuracy(std::slice::from_ref(stage), &stage.snap, &own));
+        let (stage, drawn) = (std::slice::from_ref(stage), [drawn]);
+        let mut accuracy = sweep::accuracy(stage, &stage[0].snap, &own);
+        accuracy.channels = sweep::channels(profile, stage, &drawn).unwrap_or_default();
+        each.push(accuracy);
+        all_drawn.extend(drawn);
     }
-    let whole = sweep::accuracy(stages, &snap, &arithmetic);
+    let mut whole = sweep::accuracy(stages, &snap, &arithmetic);
+    whole.channels = sweep::channels(profile, stages, &all_drawn).unwrap_or_default();
     let levels = [Level::Stage, Level::Coverage, Level::Value];
     let over = levels.iter().find_map(|level| exceeded(tolerances, &whole, *level));
     let Some(tolerance) = over else { return Ok(None) };
@@ -59,6 +66,23 @@ pub(super) fn witness(
     let scene = (0..each.len())
         .max_by(|a, b| figure(&each[*a]).total_cmp(&figure(&each[*b])).then(b.cmp(a)))
         .unwrap_or(0);
+    if let Subject::Channel(channel) = tolerance.metric.subject {
+        let found = worst_code((&stages[scene], &all_drawn[scene]), profile, channel)?;
+        let stage = &stages[scene];
+        let face = found.as_ref().map(|(place, _)| place.triangle);
+        let face = face.and_then(|n| stage.faces.iter().find(|face| face.source == n));
+        let (place, finding) = found.unzip();
+        return Ok(Some(Witness {
+            value,
+            tolerance,
+            figure: figure(&whole),
+            scene,
+            place,
+            vertices: face.map(|face| profile.vertex.to_input(face.triangle.xy)),
+            depths: face.and_then(|face| face.triangle.z),
+            finding: finding.unwrap_or_else(|| "no single sample shows the error".to_owned()),
+        }));
+    }
     let place = locate(sweep, scene, &stages[scene], profile, tolerance.metric)?;
     let face = place.and_then(|p| stages[scene].faces.iter().find(|f| f.source == p.triangle));
     let finding = match place {
@@ -75,6 +99,29 @@ pub(super) fn witness(
         depths: face.and_then(|face| face.triangle.z),
         finding,
     }))
+}
+
+/// The sample where a channel is farthest off, and what happened there.
+fn worst_code(
+    (stage, drawn): (&Stage, &Drawn),
+    profile: &Profile,
+    channel: &str,
+) -> Result<Option<(Place, String)>, InvalidProfile> {
+    let wanted: Vec<bool> = profile.channel.iter().map(|own| own.name == channel).collect();
+    let tally = measure_channels(stage, drawn, &Model::new(profile)?, &wanted);
+    let Some((tally, number)) = tally.zip(wanted.iter().position(|wanted| *wanted)) else {
+        return Ok(None);
+    };
+    let (worst, count) = (tally.worst[number], tally.moments[number].count);
+    if count == 0 || tally.moments[number].worst.is_infinite() {
+        return Ok(None);
+    }
+    let WorstCode { component, face, x, y, code, exact } = worst;
+    let component = &profile.channel[number].components[component];
+    #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
+    let what = What::Ulp(code as f64 - exact);
+    let place = Place { triangle: stage.faces[face].source, x, y, what };
+    Ok(Some((place, format!("{component} of {channel} is {code} but should be {exact:.3}"))))
 }
 
 /// The value to look at for a metric.
@@ -104,7 +151,11 @@ fn locate(
             }
             // A triangle that is not drawn has no sample.
             Subject::Triangles => None,
-            Subject::Wraps | Subject::Clamps | Subject::Cost | Subject::Software => {
+            Subject::Wraps
+            | Subject::Clamps
+            | Subject::Cost
+            | Subject::Software
+            | Subject::Channel(_) => {
                 unreachable!("{}: snapping has none", metric.name)
             }
         });
@@ -119,8 +170,8 @@ fn locate(
         Subject::Value(value, scale) => {
             stage.worst(profile, inspected(value), scale == Scale::World)
         }
-        // What has no place in the picture.
-        Subject::Triangles | Subject::Cost | Subject::Software => None,
+        // What has no place in the picture, or was looked for before.
+        Subject::Triangles | Subject::Cost | Subject::Software | Subject::Channel(_) => None,
     })
 }
 

@@ -14,6 +14,7 @@ use crate::value::{
     AttributeConfig, AttributeError, Correction, Corrector, EvaluatedAt, InverseWConfig,
     VertexValues,
 };
+use set_up::Scratch;
 use sink::{Buffers, ChannelSink};
 
 /// A channel as files and drawings have it.
@@ -230,11 +231,37 @@ impl Channels {
         let set_up = values.zip(machine.carrier()).filter(|_| triangle.area2() > 0);
         let set_up = set_up.map(|(values, carrier)| {
             let turned = given.area2() < 0;
-            self.set_up(carrier, &triangle, values, turned)
+            self.set_up(carrier, &triangle, values, turned, &|_| true)
         });
         let mut painter =
             ChannelSink { channels: self, set_up, out, open: None, buffers: Buffers::default() };
         machine.draw(&Input::Triangle(given), &mut painter)
+    }
+}
+
+/// Codes of a run, by channel.
+pub(crate) type Codes<'a> = &'a mut dyn FnMut(usize, &[Vec<i64>]);
+
+impl Channels {
+    /// The codes of the channels that are wanted and have a place a pixel, for whichever runs `ask` asks.
+    pub(crate) fn along(
+        &self,
+        carrier: &dyn Carrier,
+        (triangle, turned): (&Triangle, bool),
+        values: &VertexValues,
+        wanted: &[bool],
+        ask: &mut dyn FnMut(&mut dyn FnMut([u32; 3], Codes<'_>)),
+    ) {
+        let set_up = self.set_up(carrier, triangle, values, turned, &|n| wanted[n]);
+        let (mut scratch, mut out) = (Scratch::default(), Vec::new());
+        ask(&mut |run, each| {
+            for channel in self.list.iter().filter(|channel| wanted[channel.number]) {
+                if let Places::One(place) = channel.places {
+                    channel.run(self.processor, (&set_up, place), run, &mut scratch, &mut out);
+                    each(channel.number, &out);
+                }
+            }
+        });
     }
 }
 

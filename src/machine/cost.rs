@@ -70,6 +70,11 @@ impl Unit {
         Self::new(name, Dda::Planar, [width, 4])
     }
 
+    /// Whether it walks a coordinate that all values of the machine share.
+    pub fn is_shared(&self) -> bool {
+        self.name == "share"
+    }
+
     /// So many of this one.
     #[must_use]
     pub const fn times(self, copies: u32) -> Self {

@@ -6,9 +6,11 @@
 //! its typical corner, before placement. [`synthesise`] asks a synthesis tool instead.
 
 mod adder;
+mod channel;
 mod synthesis;
 
 pub use crate::machine::{Count, Operations, Unit};
+pub use channel::{ChannelCost, SetUpCost};
 pub use synthesis::{
     Source, Synthesis, SynthesisError, UnitSynthesis, YOSYS, sources, synthesise, synthesise_unit,
 };
@@ -52,6 +54,11 @@ pub struct Cost {
     pub prefix: Estimate,
     /// Arithmetic operations of the model.
     pub operations: Operations,
+    /// Channels, 1/w first, with ripple-carry adders; absent without channels. Part of the area.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub channels: Vec<ChannelCost>,
+    /// What sets the planes of a triangle up, with ripple-carry adders. In no other figure here.
+    pub set_up: SetUpCost,
 }
 
 /// Area and clock of a profile's units with one kind of adder.
@@ -87,6 +94,8 @@ pub fn estimate(profile: &Profile) -> Result<Cost, InvalidProfile> {
         register_bits: sum(|unit| unit.register_bits),
         adder_bits: sum(|unit| unit.adder_bits),
         setup_bits: setup_bits.max(depth_bits),
+        channels: channel::channels(profile, adder::ripple),
+        set_up: channel::set_up(profile, adder::ripple),
         ripple: area_and_clock(profile, &units, adder::ripple),
         prefix: area_and_clock(profile, &units, adder::prefix),
         operations,
@@ -115,6 +124,11 @@ fn area_and_clock(profile: &Profile, units: &[Unit], adder: fn(u32) -> Adder) ->
             }
         }
         delay_ps = delay_ps.max(step);
+    }
+    let channels = channel::channels(profile, adder);
+    area_um2 += channels.iter().map(|own| own.walked_um2 + own.correction_um2).sum::<f64>();
+    for width in channel::widths(profile) {
+        delay_ps = delay_ps.max(adder(width).delay_ps + REGISTER_PS);
     }
     Estimate { area_um2, delay_ps, clock_mhz: 1e6 / delay_ps }
 }

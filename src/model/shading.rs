@@ -1,10 +1,10 @@
 //! What vertices bring for channels, made ready for a model. Spec clauses `CH-2` and `CH-4`.
 
-use super::Model;
 use super::primitive::{Kind, Primitive, PrimitiveError};
+use super::{Model, Span};
 use crate::bits::Rounding;
 use crate::scene::{AttributeSet, Attributes, Named, Shading};
-use crate::setup::snap_f64;
+use crate::setup::{Triangle, snap_f64};
 use crate::value::{AttributeConfig, InverseWConfig, ValueError, VertexValues};
 
 impl Model {
@@ -34,7 +34,16 @@ impl Model {
         attributes: &Attributes,
         triangle: usize,
     ) -> Result<VertexValues, PrimitiveError> {
-        let shading = match attributes {
+        self.shading(&self.scene_shading(attributes, triangle)?)
+    }
+
+    /// The same before any word decides a code: by the names of the channels.
+    pub(crate) fn scene_shading(
+        &self,
+        attributes: &Attributes,
+        triangle: usize,
+    ) -> Result<Shading, PrimitiveError> {
+        Ok(match attributes {
             Attributes::Mesh { w, sets } => {
                 let channels = self.of_mesh(sets, triangle)?;
                 Shading::Reals { channels, w: w.get(triangle).copied() }
@@ -48,8 +57,26 @@ impl Model {
                 }
                 None => Shading::Codes { channels: self.by_source(&[])?, inverse_w: None },
             },
-        };
-        self.shading(&shading)
+        })
+    }
+
+    /// The codes along covered runs of a triangle, normalised, of the channels that are wanted and have a
+    /// place a pixel, whatever machine covers it; `turned` says that two vertices have changed places.
+    pub(crate) fn codes_along(
+        &self,
+        (triangle, turned): (&Triangle, bool),
+        values: &VertexValues,
+        wanted: &[bool],
+        runs: &[Span],
+        each: &mut dyn FnMut(usize, &Span, &[Vec<i64>]),
+    ) {
+        if let (Some((channels, _)), Some(carrier)) = (&self.channels, self.machine.carrier()) {
+            channels.along(carrier, (triangle, turned), values, wanted, &mut |codes| {
+                for run in runs {
+                    codes([run.y, run.x0, run.x1], &mut |channel, codes| each(channel, run, codes));
+                }
+            });
+        }
     }
 
     /// The values of a triangle of a mesh, by channel.

@@ -1,6 +1,7 @@
 //! Channels that a triangle carries beside depth, and the plane of 1/w. Spec clauses `CH-1` to `CH-8`.
 
 mod check;
+mod decision;
 mod error;
 
 pub use check::validate_channels;

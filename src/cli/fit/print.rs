@@ -64,6 +64,7 @@ impl Report {
             (e.by_range, "by values outside the range of their guard bits"),
             (e.by_witness, "by a triangle that failed with another budget"),
             (e.by_part, "by a part of the scene"),
+            (e.by_channel, "by the codes of a channel"),
             (e.by_sameness, "proved equal to a measured budget"),
             (e.by_bound, "proved by bounds"),
             (e.by_larger, "smaller than a budget that fails"),

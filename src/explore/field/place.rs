@@ -16,6 +16,11 @@ impl Field {
             Owner::Traversal if !profile.form.visits_the_box() => None,
             Owner::Traversal => TraversalConfig::decision(profile.traversal.as_ref(), name),
             Owner::Machine => profile.form.decision(name),
+            Owner::Channel(channel) => {
+                let mut own = profile.channel.iter().filter(|own| own.name == channel);
+                own.next()?.decision(self.part())
+            }
+            Owner::InverseW => profile.w?.decision(self.part()),
         }
     }
 
@@ -45,6 +50,14 @@ impl Field {
             },
             Owner::Traversal if !profile.form.visits_the_box() => Err(Refused::Absent),
             Owner::Traversal => TraversalConfig::decide(&mut profile.traversal, name, value),
+            Owner::Channel(channel) => {
+                let own = profile.channel.iter_mut().find(|own| own.name == channel);
+                own.ok_or(Refused::Absent).and_then(|own| own.decide(self.part(), value))
+            }
+            Owner::InverseW => match &mut profile.w {
+                Some(w) => w.decide(self.part(), value),
+                None => Err(Refused::Absent),
+            },
             Owner::Machine => {
                 let state = profile.state();
                 profile.form.decide(name, value, &state)

@@ -43,6 +43,8 @@ pub(super) fn meets(
             Subject::Value(Interpolated::Depth, Scale::World) => world,
             Subject::Value(Interpolated::Attribute, Scale::World) => range,
             Subject::Wraps => 0.0,
+            // Looked at by itself.
+            Subject::Channel(_) => return true,
             Subject::Misclassified
             | Subject::Hits
             | Subject::Order(_)

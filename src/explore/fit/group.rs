@@ -1,5 +1,6 @@
 //! What is known about the budgets of one grid.
 
+use super::channel::Channels;
 use crate::cover::{EdgeWordConfig, SampleConfig};
 use crate::explore::field::Level;
 use crate::explore::metric::{Cause, Subject};
@@ -9,7 +10,7 @@ use crate::format::{Clamp, ReadOut};
 use crate::measure::accuracy::{Accuracy, Drawn, Reach, Stage, Tally, Values, needed_width};
 use crate::profile::{Form, InvalidProfile, Profile, WindowConfig};
 use crate::setup::VertexConfig;
-use crate::value::DepthConfig;
+use crate::value::{AttributeConfig, DepthConfig};
 
 /// What two profiles share that share a stage.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +20,8 @@ pub(super) struct StageKey {
     sample: Option<SampleConfig>,
     rule: crate::exact::Rule,
     depth_bits: Option<u32>,
+    /// The code of 1 of each channel.
+    units: Vec<i128>,
 }
 
 impl StageKey {
@@ -29,6 +32,7 @@ impl StageKey {
             sample: profile.sample,
             rule: crate::measure::error::exact_rule(&profile.form),
             depth_bits: profile.depth.map(|depth| depth.integer),
+            units: profile.channel.iter().map(AttributeConfig::unit).collect(),
         }
     }
 }
@@ -54,6 +58,7 @@ pub(super) struct Coverage {
     /// Samples that depth errors are counted at.
     pub(super) samples: u64,
     pub(super) planes: Vec<Plane>,
+    pub(super) channels: Channels,
 }
 
 /// A depth budget on a coverage, but for its guard bits.
@@ -158,8 +163,8 @@ impl Group {
         let whole = all.len() == self.stages.len();
         let good = whole && exceeded(tolerances, &self.report(&tally), Level::Coverage).is_none();
         let samples = all.iter().zip(&self.stages).map(|(d, stage)| d.depth_samples(stage)).sum();
-        let (form, drawn) = (profile.form, good.then_some(all));
-        self.coverages.push(Coverage { form, drawn, tally, samples, planes: Vec::new() });
+        let (form, drawn, channels) = (profile.form, good.then_some(all), Channels::default());
+        self.coverages.push(Coverage { form, drawn, tally, samples, planes: Vec::new(), channels });
         Ok(self.coverages.len() - 1)
     }
 }

@@ -1,6 +1,7 @@
 //! Whether a budget meets the tolerances, with as little measuring as proves it. Spec clause `Q-8`.
 
-use super::group::{Group, StageKey};
+use super::channel::Outcome;
+use super::group::{Coverage, Group, StageKey};
 use super::partly::Partly;
 use super::{Effort, bound};
 use crate::explore::field::Level;
@@ -75,12 +76,30 @@ impl<'a> Judge<'a> {
             self.effort.by_coverage += 1;
             return Ok(Verdict::Fails);
         }
-        if profile.depth.is_none() {
-            // Without depth there is nothing beyond coverage.
+        let before = self.effort;
+        let verdict = if profile.depth.is_none() {
             self.effort.evaluated += 1;
-            return Ok(self.conclude(group.report(&coverage.tally)));
+            self.conclude(group.report(&coverage.tally))
+        } else {
+            self.values(group, at, profile)
+        };
+        if matches!(verdict, Verdict::Fails) {
+            return Ok(verdict);
         }
-        Ok(self.values(group, at, profile))
+        let Coverage { drawn, channels, .. } = &mut group.coverages[at];
+        let Some(drawn) = drawn else { return Ok(Verdict::Fails) };
+        Ok(match channels.judge(&group.stages, drawn, profile, &self.tolerances)? {
+            Outcome::Fails => {
+                self.effort = Effort { by_channel: before.by_channel + 1, ..before };
+                Verdict::Fails
+            }
+            Outcome::Measured(channels) => match verdict {
+                Verdict::Meets(accuracy) => {
+                    Verdict::Meets(Box::new(Accuracy { channels, ..*accuracy }))
+                }
+                proved => proved,
+            },
+        })
     }
 
     /// Depth and attribute, on a coverage that meets its tolerances.

@@ -60,13 +60,15 @@ impl SetUp {
 }
 
 impl Channels {
-    /// Sets all values up; `turned` says that two vertices have changed places.
+    /// Sets up the values of the channels that are wanted, and 1/w; `turned` says that two vertices have
+    /// changed places.
     pub(super) fn set_up(
         &self,
         carrier: &dyn Carrier,
         triangle: &Triangle,
         values: &VertexValues,
         turned: bool,
+        wanted: &dyn Fn(usize) -> bool,
     ) -> SetUp {
         let turn = |[a, b, c]: [i128; 3]| if turned { [a, c, b] } else { [a, b, c] };
         let q = values.inverse_w().map_or([1; 3], turn);
@@ -77,7 +79,7 @@ impl Channels {
         let place = |(place, grid): (usize, &SampleGrid)| {
             let w = self.w.as_ref().map(|words| carry(grid, q, 0, words));
             let components = self.list.iter().map(|channel| {
-                if !channel.places.has(place) {
+                if !channel.places.has(place) || !wanted(channel.number) {
                     return Vec::new();
                 }
                 let component = |given: &[i128; 3]| {

@@ -6,7 +6,7 @@ use crate::cover::{Rect, SampleGrid};
 use crate::exact::{Outline, Rule};
 use crate::model::Span;
 use crate::profile::Profile;
-use crate::scene::{self, Lens, Scene};
+use crate::scene::{self, Attributes, Lens, Scene};
 use crate::setup::snap_f64;
 
 /// Bits below the pixel of the reference grid: fine enough that no vertex field is finer.
@@ -30,6 +30,8 @@ pub struct Reference {
     /// Bits below the pixel of its integer coordinates.
     sub_pixel: u32,
     depth_max: u64,
+    /// What the vertices carry beside their place.
+    pub attributes: Attributes,
 }
 
 /// A triangle on the reference grid.
@@ -66,8 +68,8 @@ impl Reference {
             Some(RealFace { xy: placed, part })
         });
         let faces = faces.collect();
-        let Scene { name, triangles, lens, .. } = scene;
-        Self { name, lens, triangles, faces, sub_pixel, depth_max }
+        let Scene { name, triangles, lens, attributes, .. } = scene;
+        Self { name, lens, triangles, faces, sub_pixel, depth_max, attributes }
     }
 
     /// Triangle `index` on the reference grid.

@@ -7,6 +7,7 @@ use super::affine::Affine;
 use super::order::{Pair, neighbours};
 use super::reference::{REFERENCE_BITS, Reference, Truth, covered_runs, misplaced, real};
 use super::run::{Hits, Side, compare};
+use super::shade::Shades;
 use super::tally::Tally;
 use super::world::World;
 use crate::cover::{Rect, SampleGrid};
@@ -40,6 +41,8 @@ pub struct Stage {
     pub levelled: Option<Pair>,
     /// What a depth error is worth.
     pub world: World,
+    /// What the channels of the profile should be, where the scene has values for them.
+    pub shades: Option<Shades>,
 }
 
 /// A triangle of a stage.
@@ -53,6 +56,8 @@ pub struct Face {
     pub runs: Range<usize>,
     /// Its depth, if it has one.
     pub depth: Option<Surface>,
+    /// Whether two vertices have changed places.
+    pub turned: bool,
     /// Its attribute, if it has depth: both go through the profile's value plane.
     pub attribute: Option<Surface>,
 }
@@ -94,6 +99,7 @@ impl Stage {
             pairs: Vec::new(),
             levelled: None,
             world,
+            shades: None,
         };
         let (rule, mut hits) = (exact_rule(&profile.form), Hits::default());
         for source in 0..reference.triangles.len() {
@@ -103,6 +109,7 @@ impl Stage {
         let found = neighbours(&stage);
         (stage.snap.inversions, stage.snap.ties) = (found.exchanged, found.levelled);
         (stage.pairs, stage.levelled) = (found.pairs, found.first_levelled);
+        stage.shades = Shades::new(reference, &stage, &model);
         Ok(stage)
     }
 
@@ -135,7 +142,8 @@ impl Stage {
             return;
         }
         let runs = begin..self.runs.len();
-        let mut face = Face { triangle, source, runs, depth: None, attribute: None };
+        let turned = snapped.area2() < 0;
+        let mut face = Face { triangle, source, runs, depth: None, turned, attribute: None };
         // A face without a sample needs no values.
         if let (Some(first), Some(z)) = (self.runs.get(begin), triangle.z) {
             let base = [first.x0, first.y];

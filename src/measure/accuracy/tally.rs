@@ -1,6 +1,7 @@
 //! What errors add up to, while they are counted and as they are reported. Spec clause `M-2`.
 
 use super::moment::{Moments, Spread};
+use super::shade::ChannelError;
 use super::world::World;
 use serde::{Deserialize, Serialize};
 
@@ -86,6 +87,9 @@ pub struct Accuracy {
     pub snap: Deviation,
     /// From the exact picture of the scene on the grid to what is drawn.
     pub arithmetic: Deviation,
+    /// The codes of channels, where the scene has values for them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub channels: Vec<ChannelError>,
 }
 
 impl ValueTally {

@@ -6,8 +6,8 @@ use crate::setup::{Division, VertexConfig};
 use crate::value::channel::is_name;
 use crate::value::{EvaluatedAt, StartBias};
 
-/// The name that the file of the set-up words has: `channel-setup.exp`.
-const SETUP: &str = "setup";
+/// The names of the file of the set-up words, `channel-setup.exp`, and of 1/w in the fields of a search.
+const RESERVED: [&str; 2] = ["setup", "w"];
 
 fn check_name(name: &str) -> Result<(), AttributeError> {
     if is_name(name) { Ok(()) } else { Err(AttributeError::Name(name.to_owned())) }
@@ -90,7 +90,7 @@ impl AttributeConfig {
     ) -> Result<ReadOut, AttributeError> {
         let (name, got) = (self.name.clone(), self.components.len());
         check_name(&name)?;
-        if name == SETUP {
+        if RESERVED.contains(&name.as_str()) {
             return Err(AttributeError::Reserved(name));
         }
         if !(1..=4).contains(&got) {

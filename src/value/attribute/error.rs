@@ -16,8 +16,10 @@ pub enum AttributeError {
     /// A name given twice.
     #[error("{0:?} is given twice; rename one")]
     Twice(String),
-    /// A name that a file of a set has.
-    #[error("channel {0:?}: the name is in use for the set-up words of a set; choose another")]
+    /// A name that is in use.
+    #[error(
+        "channel {0:?}: the name stands for the set-up words of a set, or for 1/w; choose another"
+    )]
     Reserved(String),
     /// Two columns of one name.
     #[error(

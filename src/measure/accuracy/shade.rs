@@ -1,0 +1,297 @@
+//! The errors of channels: what their codes should be at each sample of a stage, and how far off those of
+//! a profile are. Spec clause `M-8`.
+
+use super::drawn::Drawn;
+use super::moment::{Moments, Spread};
+use super::reference::{Reference, real};
+use super::stage::{Face, Stage};
+use crate::cover::SampleGrid;
+use crate::model::{Model, Span};
+use crate::profile::Profile;
+use crate::scene::Shading;
+use crate::setup::edges;
+use crate::value::{AttributeConfig, Correction, EvaluatedAt, Provoking};
+use serde::{Deserialize, Serialize};
+use std::ops::Range;
+
+/// What the channels of a profile should be on a stage.
+#[derive(Clone, Debug, Default)]
+pub struct Shades {
+    /// For each exact run of the stage: samples before it.
+    before: Vec<usize>,
+    /// By channel, then component: the real number at each sample.
+    exact: Vec<Vec<Vec<f64>>>,
+    /// By face: what its vertices bring.
+    given: Vec<Shading>,
+}
+
+/// The errors of a channel's codes, as reported.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ChannelError {
+    /// The channel.
+    pub name: String,
+    /// The code of the real number 1.
+    pub unit: f64,
+    /// In units of the code's last place, all components together.
+    pub ulp: Spread,
+}
+
+/// The worst code that was found.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WorstCode {
+    /// Component of the channel.
+    pub component: usize,
+    /// The triangle's place among the faces of its stage.
+    pub face: usize,
+    /// Column.
+    pub x: u32,
+    /// Row.
+    pub y: u32,
+    /// The code.
+    pub code: i64,
+    /// What it should be.
+    pub exact: f64,
+}
+
+/// What was measured of some channels.
+#[derive(Clone, Debug, Default)]
+pub struct ChannelTally {
+    /// By channel.
+    pub moments: Vec<Moments>,
+    /// By channel: the first of the worst codes.
+    pub worst: Vec<WorstCode>,
+}
+
+impl ChannelTally {
+    /// Nothing of so many channels.
+    pub fn of(channels: usize) -> Self {
+        let (moments, worst) = (Moments::default(), WorstCode::default());
+        Self { moments: vec![moments; channels], worst: vec![worst; channels] }
+    }
+
+    /// Adds what another has of the same channels.
+    pub fn merge(&mut self, other: &Self) {
+        for (n, moments) in other.moments.iter().enumerate() {
+            if moments.worst > self.moments[n].worst {
+                self.worst[n] = other.worst[n];
+            }
+            self.moments[n].merge(moments);
+        }
+    }
+
+    /// The report, of those channels of a profile that were measured.
+    pub fn report(&self, profile: &Profile) -> Vec<ChannelError> {
+        let channels = profile.channel.iter().zip(&self.moments);
+        let measured = channels.filter(|(_, moments)| moments.count > 0);
+        let report = |(config, moments): (&AttributeConfig, &Moments)| ChannelError {
+            name: config.name.clone(),
+            unit: real(config.unit()),
+            ulp: moments.spread(),
+        };
+        measured.map(report).collect()
+    }
+}
+
+/// Where a channel is evaluated, where a pixel has one sample.
+fn grid(stage: &Stage, at: EvaluatedAt) -> SampleGrid {
+    let sub_pixel = stage.grid.sub_pixel;
+    match at {
+        EvaluatedAt::Sample => stage.grid,
+        EvaluatedAt::Centre | EvaluatedAt::Centroid => {
+            SampleGrid { offset: [1 << sub_pixel >> 1; 2], sub_pixel }
+        }
+        EvaluatedAt::Corner => SampleGrid { offset: [0; 2], sub_pixel },
+    }
+}
+
+/// The reals of a channel at the vertices of a triangle in the order given, for each component, and w.
+fn reals(shading: &Shading, config: &AttributeConfig) -> (Vec<[f64; 3]>, Option<[f64; 3]>) {
+    let named = |name: &String| *name == config.name;
+    match shading {
+        Shading::Reals { channels, w } => {
+            let own = channels.iter().find(|(name, _)| named(name));
+            (own.map_or_else(Vec::new, |(_, values)| values.clone()), *w)
+        }
+        Shading::Codes { channels, inverse_w } => {
+            let (own, unit) = (channels.iter().find(|(name, _)| named(name)), real(config.unit()));
+            let values = own.map_or_else(Vec::new, |(_, values)| {
+                values.iter().map(|codes| codes.map(|code| real(code) / unit)).collect()
+            });
+            (values, inverse_w.map(|q| q.map(|q| 1.0 / real(q))))
+        }
+    }
+}
+
+impl Shades {
+    /// The channels of a model on a stage; none where the model has no channels, a pixel has several
+    /// samples, or a triangle of the scene has no values for them.
+    pub(super) fn new(reference: &Reference, stage: &Stage, model: &Model) -> Option<Self> {
+        let profile = model.profile();
+        if profile.channel.is_empty() || profile.multisample.is_some() {
+            return None;
+        }
+        let shading = |face: &Face| {
+            let shading = model.scene_shading(&reference.attributes, face.source).ok()?;
+            model.shading(&shading).is_ok().then_some(shading)
+        };
+        let given: Vec<Shading> = stage.faces.iter().map(shading).collect::<Option<_>>()?;
+        let mut samples = 0;
+        let before = stage.runs.iter().map(|run| {
+            samples += (run.x1 - run.x0) as usize;
+            samples - (run.x1 - run.x0) as usize
+        });
+        let before = before.collect();
+        let exact = profile.channel.iter().map(|config| {
+            let mut exact = vec![Vec::with_capacity(samples); config.components.len()];
+            for (face, given) in stage.faces.iter().zip(&given) {
+                let (values, w) = reals(given, config);
+                let over = Interpolated::new(stage, face, config, w);
+                for (values, exact) in values.iter().zip(&mut exact) {
+                    over.add(&stage.runs[face.runs.clone()], *values, exact);
+                }
+            }
+            exact
+        });
+        Some(Self { exact: exact.collect(), before, given })
+    }
+
+    /// Measures the wanted channels of a face over runs of it that are drawn.
+    pub fn face(
+        &self,
+        (stage, model): (&Stage, &Model),
+        (number, runs): (usize, &[Span]),
+        wanted: &[bool],
+        tally: &mut ChannelTally,
+    ) {
+        let face = &stage.faces[number];
+        let channels = &model.profile().channel;
+        let Ok(values) = model.shading(&self.given[number]) else {
+            // A vertex has no code in these words: nothing is right.
+            for (moments, _) in tally.moments.iter_mut().zip(wanted).filter(|(_, wanted)| **wanted)
+            {
+                moments.note(f64::INFINITY);
+            }
+            return;
+        };
+        let mut exact_runs = ExactRuns { stage, rest: face.runs.clone() };
+        let mut last = None;
+        let triangle = (&*face.triangle, face.turned);
+        model.codes_along(triangle, &values, wanted, runs, &mut |channel, run, codes| {
+            let first = match last {
+                Some((known, first)) if known == *run => first,
+                _ => exact_runs.find(&self.before, run),
+            };
+            last = Some((*run, first));
+            let unit = real(channels[channel].unit());
+            let moments = &mut tally.moments[channel];
+            for (component, codes) in codes.iter().enumerate() {
+                let exact = &self.exact[channel][component][first..];
+                for (n, (code, exact)) in codes.iter().zip(exact).enumerate() {
+                    #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
+                    let error = *code as f64 - exact * unit;
+                    if error.abs() > moments.worst {
+                        let x = run.x0 + u32::try_from(n).unwrap_or(0);
+                        let (face, y, code, exact) = (number, run.y, *code, exact * unit);
+                        tally.worst[channel] = WorstCode { component, face, x, y, code, exact };
+                    }
+                    moments.note(error);
+                }
+            }
+        });
+    }
+}
+
+/// Finds exact runs, in order.
+struct ExactRuns<'a> {
+    stage: &'a Stage,
+    rest: Range<usize>,
+}
+
+impl ExactRuns<'_> {
+    /// Samples of the stage before the first one of a run that lies in an exact one.
+    fn find(&mut self, before: &[usize], run: &Span) -> usize {
+        let ends = |n: &usize| {
+            let exact = &self.stage.runs[*n];
+            (exact.y, exact.x1) >= (run.y, run.x1)
+        };
+        let own = self.rest.clone().find(ends).unwrap_or(self.rest.start);
+        self.rest.start = own;
+        before[own] + (run.x0 - self.stage.runs[own].x0) as usize
+    }
+}
+
+/// A face over which a channel is interpolated exactly, in real numbers.
+struct Interpolated {
+    /// The edge function opposite each vertex of the normalised triangle: at pixel (0, 0), and its changes.
+    weights: [[f64; 3]; 3],
+    /// 1/w of each vertex.
+    inverse: [f64; 3],
+    turned: bool,
+    flat: Option<usize>,
+}
+
+impl Interpolated {
+    fn new(stage: &Stage, face: &Face, config: &AttributeConfig, w: Option<[f64; 3]>) -> Self {
+        let grid = grid(stage, config.at);
+        let edges = edges(&face.triangle);
+        let at = |k: usize, x, y| {
+            let [x, y] = grid.position(x, y);
+            edges[k].at(x, y)
+        };
+        let weights = [1, 2, 0].map(|k| {
+            let first = at(k, 0, 0);
+            [first, at(k, 1, 0) - first, at(k, 0, 1) - first].map(real)
+        });
+        let flat = match config.correction {
+            Correction::Flat { provoking: Provoking::First } => Some(0),
+            Correction::Flat { provoking: Provoking::Last } => Some(2),
+            _ => None,
+        };
+        let mut inverse = w.map_or([1.0; 3], |w| w.map(|w| 1.0 / w));
+        if face.turned {
+            inverse.swap(1, 2);
+        }
+        Self { weights, inverse, turned: face.turned, flat }
+    }
+
+    /// Adds the values at the samples of runs.
+    fn add(&self, runs: &[Span], mut values: [f64; 3], out: &mut Vec<f64>) {
+        if let Some(vertex) = self.flat {
+            let samples = runs.iter().map(|run| (run.x1 - run.x0) as usize).sum::<usize>();
+            out.extend(std::iter::repeat_n(values[vertex], samples));
+            return;
+        }
+        if self.turned {
+            values.swap(1, 2);
+        }
+        for run in runs {
+            for x in run.x0..run.x1 {
+                let (mut above, mut below) = (0.0, 0.0);
+                for k in 0..3 {
+                    let [first, dx, dy] = self.weights[k];
+                    let share =
+                        (first + f64::from(x) * dx + f64::from(run.y) * dy) * self.inverse[k];
+                    below += share;
+                    above += share * values[k];
+                }
+                out.push(above / below);
+            }
+        }
+    }
+}
+
+/// What the channels of a profile come to on a stage, over what is drawn.
+pub fn measure_channels(
+    stage: &Stage,
+    drawn: &Drawn,
+    model: &Model,
+    wanted: &[bool],
+) -> Option<ChannelTally> {
+    let shades = stage.shades.as_ref()?;
+    let mut tally = ChannelTally::of(wanted.len());
+    for number in 0..stage.faces.len() {
+        shades.face((stage, model), (number, drawn.runs(stage, number)), wanted, &mut tally);
+    }
+    Some(tally)
+}
