@@ -23,6 +23,8 @@ pub struct Reference {
     pub name: String,
     /// The camera's planes, if it was seen through one.
     pub lens: Option<Lens>,
+    /// What w is at the vertices of each triangle, where the scene says it.
+    pub w: Vec<Option<[f64; 3]>>,
     /// The triangles, in the units of the profile that the scene was loaded for.
     pub triangles: Vec<scene::Triangle>,
     /// The same on the reference grid; `None` where a coordinate has no place there.
@@ -66,8 +68,9 @@ impl Reference {
             Some(RealFace { xy: placed, part })
         });
         let faces = faces.collect();
+        let w = (0..scene.triangles.len()).map(|n| scene.attributes.w(n)).collect();
         let Scene { name, triangles, lens, .. } = scene;
-        Self { name, lens, triangles, faces, sub_pixel, depth_max }
+        Self { name, lens, w, triangles, faces, sub_pixel, depth_max }
     }
 
     /// Triangle `index` on the reference grid.
