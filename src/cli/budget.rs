@@ -18,7 +18,7 @@ pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// Also report what this scene requires: a built-in name, an OBJ mesh, or a JSON Lines file of
+    /// Also report what this scene requires: a built-in name, a mesh (OBJ, glTF, PLY, STL), or a JSON Lines file of
     /// triangles.
     #[arg(long, value_name = "S")]
     scene: Option<String>,

@@ -79,7 +79,7 @@ pub(crate) struct SpaceArguments {
     /// The profile to vary: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     pub(crate) profile: String,
-    /// A scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles; repeat the option for
+    /// A scene: a built-in name, a mesh (OBJ, glTF, PLY, STL), or a JSON Lines file of triangles; repeat the option for
     /// more scenes.
     #[arg(long = "scene", value_name = "S", default_value = "knot")]
     pub(crate) scenes: Vec<String>,

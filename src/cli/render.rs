@@ -22,7 +22,7 @@ pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// The scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles.
+    /// The scene: a built-in name, a mesh (OBJ, glTF, PLY, STL), or a JSON Lines file of triangles.
     #[arg(long, default_value = "knot")]
     scene: String,
     /// What the picture shows.

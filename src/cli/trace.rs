@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     /// The id of the test, as for `vectors --only`.
     #[arg(long, value_name = "ID", default_value = "dda/guard-boundary/0")]
     test: String,
-    /// The scene of the tests that draw a scene.
+    /// The scene of the tests that draw a scene: a built-in name, a mesh, or a JSON Lines file.
     #[arg(long, default_value = "knot")]
     scene: String,
     /// Number of rows of each walk file of the set that contains the test.

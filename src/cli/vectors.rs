@@ -26,7 +26,7 @@ use std::sync::Arc;
 pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.
     profile: Option<String>,
-    /// The scene: a built-in name, an OBJ mesh, or a JSON Lines file of triangles.
+    /// The scene: a built-in name, a mesh (OBJ, glTF, PLY, STL), or a JSON Lines file of triangles.
     #[arg(long, default_value = "knot")]
     scene: String,
     /// Folder of the set; `-` writes one file to standard output (see --file).

@@ -8,7 +8,6 @@ use crate::bits::Rounding;
 use crate::measure::accuracy::{Face, Reference, Stage, Truth};
 use crate::measure::error::exact_rule;
 use crate::profile::{InvalidProfile, Profile};
-use crate::scene::Lens;
 use serde::Serialize;
 
 /// What a scene requires.
@@ -83,7 +82,7 @@ pub fn require(reference: &Reference, profile: &Profile) -> Result<Requirements,
     };
     edge::require(&stage, profile, &mut found);
     depth::require(&stage, profile, &mut found);
-    found.evaluators.push(perspective(&stage, reference.lens));
+    found.evaluators.push(perspective(&stage, reference));
     Ok(found)
 }
 
@@ -128,15 +127,22 @@ fn triangle(face: &Face) -> String {
 
 /// Whether attributes need a division: only where w changes over a triangle. Depth never does: Z/w
 /// is linear in the window.
-fn perspective(stage: &Stage, lens: Option<Lens>) -> Evaluator {
+///
+/// w is that of the lens at the depth as it is on the grid, or else that of the scene.
+fn perspective(stage: &Stage, reference: &Reference) -> Evaluator {
     let name = "perspective";
-    let Some(lens) = lens else {
+    let w = |triangle| reference.attributes.w(triangle);
+    if reference.lens.is_none() && (0..reference.triangles.len()).all(|n| w(n).is_none()) {
         let evidence = "the scene has no w, so w is constant".to_owned();
         return Evaluator { name, needed: false, evidence };
-    };
+    }
     let ratio = |face: &Face| {
-        let parts = face.triangle.z?.map(|code| real(code) / stage.world.top);
-        let w = parts.map(|part| lens.distance(part));
+        let w = if let Some(lens) = reference.lens {
+            let parts = face.triangle.z?.map(|code| real(code) / stage.world.top);
+            parts.map(|part| lens.distance(part))
+        } else {
+            w(face.source)?
+        };
         let (low, high) = (w[0].min(w[1]).min(w[2]), w[0].max(w[1]).max(w[2]));
         Some(high / low)
     };

@@ -24,6 +24,18 @@ impl Default for Attributes {
 }
 
 impl Attributes {
+    /// What w is at the vertices of a triangle, in any one unit, where the scene says it.
+    pub fn w(&self, triangle: usize) -> Option<[f64; 3]> {
+        match self {
+            Self::Mesh { w, .. } => w.get(triangle).copied(),
+            Self::Lines(lines) => match lines.get(triangle)?.as_ref()? {
+                Shading::Reals { w, .. } => *w,
+                #[expect(clippy::cast_precision_loss, reason = "a code of 1/w has at most 32 bits")]
+                Shading::Codes { inverse_w, .. } => inverse_w.map(|q| q.map(|q| 1.0 / q as f64)),
+            },
+        }
+    }
+
     /// Whether no vertex has a value of any name.
     pub fn is_empty(&self) -> bool {
         match self {

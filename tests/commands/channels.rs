@@ -210,17 +210,30 @@ fn pictures_show_channels_of_a_mesh() {
 #[test]
 fn the_readmes_profile_draws_a_mesh() {
     let home = tempfile::tempdir().unwrap();
-    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/textured.toml");
-    std::fs::copy(example, home.path().join("textured.toml")).unwrap();
-    let mesh = "v 0 0 0 1 0 0\nv 9 0 0 0 1 0\nv 9 0 9 0 0 1\nv 0 0 9 1 1 1\n\
-                vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-    std::fs::write(home.path().join("mesh.obj"), mesh).unwrap();
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    for name in ["textured.toml", "cubes.gltf"] {
+        std::fs::copy(examples.join(name), home.path().join(name)).unwrap();
+    }
     let run = |line: &str| run_in(home.path(), line).ends(0);
-    let small = "--scene mesh.obj --window 64x64 --out a.png";
+    let small = "--scene cubes.gltf --window 64x64 --out a.png";
     let ran = run(&format!("render textured.toml {small} --show channel --channel color"));
-    assert!(ran.out.contains("2 triangles of mesh"), "{}", ran.out);
-    run(&format!("render textured.toml {small} --show checker --channel map --squares 12"));
-    run("vectors textured.toml --scene mesh.obj --count 1000 --out set");
+    assert!(ran.out.contains("960 triangles of cubes"), "{}", ran.out);
+    run(&format!("render textured.toml {small} --show checker --channel map"));
+    let ran = run("vectors textured.toml --scene cubes.gltf --count 1000 --out set");
+    assert_eq!(ran.err, "");
+    let manifest = std::fs::read_to_string(home.path().join("set/manifest.json")).unwrap();
+    let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+    let of_scene =
+        |group: &&serde_json::Value| group["bench"] == "channel" && group["tag"] == "scene";
+    assert!(manifest["groups"].as_array().unwrap().iter().find(of_scene).is_some());
     let ran = run("verify set --recompute");
     assert!(ran.out.contains("PASS"), "{}", ran.out);
+    // A mesh of large triangles alone gives the bench none, and the command says so.
+    let quad =
+        "v 0 0 0 1 0 0\nv 9 0 0 0 1 0\nv 9 0 9 0 0 1\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\n";
+    std::fs::write(home.path().join("quad.obj"), quad).unwrap();
+    let ran = run("vectors textured.toml --scene quad.obj --count 1000 --out large");
+    assert!(ran.err.contains("note: quad.obj: no triangle is small enough"), "{}", ran.err);
+    let ran = run("vectors textured.toml --scene fan --count 1000 --out own");
+    assert!(ran.err.contains("note: fan: the vertices carry no values"), "{}", ran.err);
 }
