@@ -239,29 +239,30 @@ impl Channels {
     }
 }
 
-/// Codes of a run, by channel.
-pub(crate) type Codes<'a> = &'a mut dyn FnMut(usize, &[Vec<i64>]);
+/// Takes a channel's number, a run and the codes of each component along it.
+pub type CodeSink<'a> = dyn FnMut(usize, [u32; 3], &[Vec<i64>]) + 'a;
 
 impl Channels {
-    /// The codes of the channels that are wanted and have a place a pixel, for whichever runs `ask` asks.
-    pub(crate) fn along(
+    /// The codes along runs of covered samples of a normalised triangle, of the channels that are wanted and
+    /// have a place a pixel; `turned` says that two vertices have changed places.
+    pub fn along(
         &self,
         carrier: &dyn Carrier,
         (triangle, turned): (&Triangle, bool),
         values: &VertexValues,
-        wanted: &[bool],
-        ask: &mut dyn FnMut(&mut dyn FnMut([u32; 3], Codes<'_>)),
+        (wanted, runs): (&[bool], impl Iterator<Item = [u32; 3]>),
+        out: &mut CodeSink<'_>,
     ) {
         let set_up = self.set_up(carrier, triangle, values, turned, &|n| wanted[n]);
-        let (mut scratch, mut out) = (Scratch::default(), Vec::new());
-        ask(&mut |run, each| {
+        let (mut scratch, mut codes) = (Scratch::default(), Vec::new());
+        for run in runs {
             for channel in self.list.iter().filter(|channel| wanted[channel.number]) {
                 if let Places::One(place) = channel.places {
-                    channel.run(self.processor, (&set_up, place), run, &mut scratch, &mut out);
-                    each(channel.number, &out);
+                    channel.run(self.processor, (&set_up, place), run, &mut scratch, &mut codes);
+                    out(channel.number, run, &codes);
                 }
             }
-        });
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 use super::primitive::{Kind, Primitive, PrimitiveError};
 use super::{Model, Span};
 use crate::bits::Rounding;
+use crate::machine::CodeSink;
 use crate::scene::{AttributeSet, Attributes, Named, Shading};
 use crate::setup::{Triangle, snap_f64};
 use crate::value::{AttributeConfig, InverseWConfig, ValueError, VertexValues};
@@ -64,18 +65,14 @@ impl Model {
     /// place a pixel, whatever machine covers it; `turned` says that two vertices have changed places.
     pub(crate) fn codes_along(
         &self,
-        (triangle, turned): (&Triangle, bool),
+        triangle: (&Triangle, bool),
         values: &VertexValues,
-        wanted: &[bool],
-        runs: &[Span],
-        each: &mut dyn FnMut(usize, &Span, &[Vec<i64>]),
+        (wanted, runs): (&[bool], &[Span]),
+        out: &mut CodeSink<'_>,
     ) {
         if let (Some((channels, _)), Some(carrier)) = (&self.channels, self.machine.carrier()) {
-            channels.along(carrier, (triangle, turned), values, wanted, &mut |codes| {
-                for run in runs {
-                    codes([run.y, run.x0, run.x1], &mut |channel, codes| each(channel, run, codes));
-                }
-            });
+            let runs = runs.iter().map(|run| [run.y, run.x0, run.x1]);
+            channels.along(carrier, triangle, values, (wanted, runs), out);
         }
     }
 

@@ -11,6 +11,7 @@ mod run;
 #[path = "../support/set.rs"]
 mod set;
 
+mod channel_fit;
 mod channels;
 mod claims;
 mod cli;

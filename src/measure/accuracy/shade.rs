@@ -1,5 +1,5 @@
 //! The errors of channels: what their codes should be at each sample of a stage, and how far off those of
-//! a profile are. Spec clause `M-8`.
+//! a profile are. Spec clause `M-9`.
 
 use super::drawn::Drawn;
 use super::moment::{Moments, Spread};
@@ -177,12 +177,13 @@ impl Shades {
         let mut exact_runs = ExactRuns { stage, rest: face.runs.clone() };
         let mut last = None;
         let triangle = (&*face.triangle, face.turned);
-        model.codes_along(triangle, &values, wanted, runs, &mut |channel, run, codes| {
+        model.codes_along(triangle, &values, (wanted, runs), &mut |channel, [y, x0, x1], codes| {
+            let run = Span { y, x0, x1 };
             let first = match last {
-                Some((known, first)) if known == *run => first,
-                _ => exact_runs.find(&self.before, run),
+                Some((known, first)) if known == run => first,
+                _ => exact_runs.find(&self.before, &run),
             };
-            last = Some((*run, first));
+            last = Some((run, first));
             let unit = real(channels[channel].unit());
             let moments = &mut tally.moments[channel];
             for (component, codes) in codes.iter().enumerate() {
@@ -268,12 +269,11 @@ impl Interpolated {
         for run in runs {
             for x in run.x0..run.x1 {
                 let (mut above, mut below) = (0.0, 0.0);
-                for k in 0..3 {
-                    let [first, dx, dy] = self.weights[k];
-                    let share =
-                        (first + f64::from(x) * dx + f64::from(run.y) * dy) * self.inverse[k];
+                let vertices = self.weights.iter().zip(&self.inverse).zip(&values);
+                for (([first, dx, dy], inverse), value) in vertices {
+                    let share = (first + f64::from(x) * dx + f64::from(run.y) * dy) * inverse;
                     below += share;
-                    above += share * values[k];
+                    above += share * value;
                 }
                 out.push(above / below);
             }
