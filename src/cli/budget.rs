@@ -6,7 +6,9 @@ use super::failure::Failure;
 use super::output::Output;
 use guardbit::measure::accuracy::Reference;
 use guardbit::measure::budget;
-use guardbit::measure::require::{Bits, Evaluator, Range, Requirements, require};
+use guardbit::measure::require::{
+    Bits, ChannelNeed, Evaluator, Interpolation, Range, Requirements, require,
+};
 use guardbit::model::Model;
 use guardbit::profile;
 use guardbit::scene;
@@ -99,6 +101,23 @@ fn print(output: &mut Output, scene: &Requirements) -> Result<(), Failure> {
     for Evaluator { name, needed, evidence } in &scene.evaluators {
         let verdict = if *needed { "needed" } else { "not needed" };
         output.line(format!("  {name:<22} {verdict}: {evidence}"))?;
+    }
+    if !scene.channels.is_empty() {
+        output.line("channels:")?;
+    }
+    for ChannelNeed { name, needs, evidence, worst_ulp, saves_um2 } in &scene.channels {
+        let needs = match needs {
+            Interpolation::Constant => "constant",
+            Interpolation::Affine => "affine",
+            Interpolation::Perspective => "perspective",
+        };
+        let saves = if *saves_um2 > 0.0 {
+            format!("; leaving out what it does not need saves {} um2", figure(*saves_um2))
+        } else {
+            String::new()
+        };
+        let worst = format!("; the profile's codes are off by at most {}", figure(*worst_ulp));
+        output.line(format!("  {name:<22} {needs}: {evidence}{worst}{saves}"))?;
     }
     Ok(())
 }

@@ -29,7 +29,7 @@ pub use moment::{Moments, Spread};
 pub use order::Pair;
 pub(super) use reference::reference_grid;
 pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};
-pub use shade::{ChannelError, ChannelTally, Shades, WorstCode, measure_channels};
+pub use shade::{Change, ChannelError, ChannelTally, Shades, WorstCode, measure_channels};
 pub use stage::{Face, Stage, Surface};
 pub use tally::{Accuracy, Deviation, Tally, ValueError, ValueTally};
 pub use value::{Reach, Values, face_values};

@@ -1,8 +1,11 @@
 //! What a scene requires of a profile: ranges, bits and evaluators, each with its evidence, from one
 //! pass over the scene on the profile's grid. Spec clause `M-8`.
 
+mod channel;
 mod depth;
 mod edge;
+
+pub use channel::{ChannelNeed, Interpolation};
 
 use crate::bits::Rounding;
 use crate::measure::accuracy::{Face, Reference, Stage, Truth};
@@ -25,6 +28,9 @@ pub struct Requirements {
     pub bits: Vec<Bits>,
     /// What has to be built.
     pub evaluators: Vec<Evaluator>,
+    /// How channels change, where the scene has values for them.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub channels: Vec<ChannelNeed>,
 }
 
 /// How far a quantity reaches.
@@ -83,6 +89,7 @@ pub fn require(reference: &Reference, profile: &Profile) -> Result<Requirements,
     edge::require(&stage, profile, &mut found);
     depth::require(&stage, profile, &mut found);
     found.evaluators.push(perspective(&stage, reference));
+    channel::require(&stage, profile, &mut found)?;
     Ok(found)
 }
 

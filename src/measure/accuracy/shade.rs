@@ -37,6 +37,15 @@ pub struct ChannelError {
     pub ulp: Spread,
 }
 
+/// How a channel changes over triangles, in units of its code's last place.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Change {
+    /// The largest difference of a component between vertices of one triangle, and the triangle.
+    pub over_a_face: (f64, usize),
+    /// The farthest that a value in perspective lies from the affine one, with triangle and pixel.
+    pub from_affine: (f64, usize, [u32; 2]),
+}
+
 /// The worst code that was found.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct WorstCode {
@@ -156,6 +165,39 @@ impl Shades {
         Some(Self { exact: exact.collect(), before, given })
     }
 
+    /// How a channel changes over the faces of a scene, on their grid.
+    pub fn change(&self, stage: &Stage, config: &AttributeConfig) -> Change {
+        let mut change = Change::default();
+        let unit = real(config.unit());
+        let (mut exact, mut affine) = (Vec::new(), Vec::new());
+        for (face, given) in stage.faces.iter().zip(&self.given) {
+            let runs = &stage.runs[face.runs.clone()];
+            let (values, w) = reals(given, config);
+            let plain = AttributeConfig { correction: Correction::Affine, ..config.clone() };
+            let over = Interpolated::new(stage, face, &plain, w);
+            let linear = Interpolated { inverse: [1.0; 3], ..over };
+            for values in values.iter().filter(|_| !runs.is_empty()) {
+                let [low, high] =
+                    [f64::min, f64::max].map(|end| end(end(values[0], values[1]), values[2]));
+                if (high - low) * unit > change.over_a_face.0 {
+                    change.over_a_face = ((high - low) * unit, face.source);
+                }
+                exact.clear();
+                affine.clear();
+                over.add(runs, *values, &mut exact);
+                linear.add(runs, *values, &mut affine);
+                let pixels = runs.iter().flat_map(|run| (run.x0..run.x1).map(|x| [x, run.y]));
+                for ((exact, affine), at) in exact.iter().zip(&affine).zip(pixels) {
+                    let gap = (exact - affine).abs() * unit;
+                    if gap > change.from_affine.0 {
+                        change.from_affine = (gap, face.source, at);
+                    }
+                }
+            }
+        }
+        change
+    }
+
     /// Measures the wanted channels of a face over runs of it that are drawn.
     pub fn face(
         &self,
@@ -223,6 +265,7 @@ impl ExactRuns<'_> {
 }
 
 /// A face over which a channel is interpolated exactly, in real numbers.
+#[derive(Clone, Copy)]
 struct Interpolated {
     /// The edge function opposite each vertex of the normalised triangle: at pixel (0, 0), and its changes.
     weights: [[f64; 3]; 3],
