@@ -37,6 +37,8 @@ pub struct Channels {
     ports: Vec<ChannelPort>,
     /// Set-up words that they add to those of their machine.
     columns: Vec<Column>,
+    /// Whether linear values are a start and two slopes.
+    steps: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -131,7 +133,8 @@ impl Channels {
             let (rounding, division, gain) = (w.rounding, Division::Quotient, 0);
             Ok(CarriedWords { read: w.validate(vertex)?, rounding, division, gain })
         });
-        let mut channels = Self { list, w: w.transpose()?, grids, ports, columns: Vec::new() };
+        let (w, steps) = (w.transpose()?, carrier.steps());
+        let mut channels = Self { list, w, grids, ports, columns: Vec::new(), steps };
         channels.columns = channels.named(carrier)?;
         Ok(channels)
     }
@@ -144,6 +147,11 @@ impl Channels {
     /// The set-up columns that the channels add to those of their machine.
     pub fn columns(&self) -> &[Column] {
         &self.columns
+    }
+
+    /// Whether linear values are a start and two slopes, which are added sample by sample and row by row.
+    pub fn steps(&self) -> bool {
+        self.steps
     }
 
     fn named(&self, carrier: &dyn Carrier) -> Result<Vec<Column>, AttributeError> {

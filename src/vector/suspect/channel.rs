@@ -36,7 +36,7 @@ impl Suspects for ChannelBench {
 }
 
 /// Profiles whose plane of 1/w differs in one thing.
-fn other_w(profile: &Profile) -> Vec<(String, Profile)> {
+pub(super) fn other_w(profile: &Profile) -> Vec<(String, Profile)> {
     let Some(w) = profile.w else { return Vec::new() };
     let mut list = Vec::new();
     let mut add = |what: String, w| list.push((what, Profile { w: Some(w), ..profile.clone() }));
@@ -56,7 +56,7 @@ fn other_w(profile: &Profile) -> Vec<(String, Profile)> {
 }
 
 /// Channels that differ in one thing, and what it is.
-fn changed(channel: &AttributeConfig) -> Vec<(String, AttributeConfig)> {
+pub(super) fn changed(channel: &AttributeConfig) -> Vec<(String, AttributeConfig)> {
     let mut list = Vec::new();
     let mut add = |what: String, change: &dyn Fn(&mut AttributeConfig)| {
         let mut other = channel.clone();
@@ -156,7 +156,7 @@ fn other_corrections(correction: &Correction) -> Vec<(String, Correction)> {
 }
 
 /// Reciprocal units with one fault.
-fn other_units(unit: &ReciprocalConfig) -> Vec<(String, ReciprocalConfig)> {
+pub(super) fn other_units(unit: &ReciprocalConfig) -> Vec<(String, ReciprocalConfig)> {
     let mut list = Vec::new();
     let Ok(ready) = unit.unit() else { return list };
     let with = |table: Vec<u32>| ReciprocalConfig { table: Some(table), ..unit.clone() };
