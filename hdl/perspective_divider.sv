@@ -79,7 +79,7 @@ module perspective_divider #(
     ) reciprocal (
         .clk(clk), .rst(rst), .in_valid(working && !started && METHOD != 0), .in_ready(unit_ready),
         .q(o_q), .out_valid(unit_valid), .out_ready(working && started), .o_length(), .o_x(), .o_entry(),
-        .o_next(), .o_part(), .o_fall(), .o_r1(), .o_t1(), .o_y1(), .o_r2(), .o_t2(), .o_y2(),
+        .o_far(), .o_part(), .o_fall(), .o_r1(), .o_t1(), .o_y1(), .o_r2(), .o_t2(), .o_y2(),
         .o_mantissa(mantissa), .o_exponent(exponent)
     );
     /* verilator lint_on PINCONNECTEMPTY */

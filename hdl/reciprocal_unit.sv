@@ -21,7 +21,7 @@ module reciprocal_unit #(
     output logic [$clog2(W+1)-1:0] o_length,    // bit length of q
     output logic [P-1:0]           o_x,         // the normalised operand
     output logic [M-1:0]           o_entry,
-    output logic [M-1:0]           o_next,      // the entry after it
+    output logic [M-1:0]           o_far,       // the entry at the far end of its interval
     output logic [(P>K+1?P-1-K:1)-1:0] o_part,  // the bits of x below the index
     output logic [M-1:0]           o_fall,      // of the line up to x
     output logic [N1:0]            o_r1,
@@ -90,7 +90,7 @@ module reciprocal_unit #(
             o_length <= length;
             o_x <= x;
             o_entry <= entry;
-            o_next <= next;
+            o_far <= next;
             o_part <= part;
             o_fall <= fall;
             o_r1 <= r1;

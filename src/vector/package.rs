@@ -108,7 +108,7 @@ pub struct EngineParameters {
 /// The device of a unit of channels: a module that sets the parameters of one of `hdl`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct UnitDevice {
-    /// The bench that drives it, such as `reciprocal-map`. Its module is `reciprocal_map`.
+    /// The bench that drives it, such as `reciprocal-map`. Its module is `dut_reciprocal_map`.
     pub bench: String,
     /// The module of `hdl`.
     pub module: &'static str,

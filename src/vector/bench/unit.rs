@@ -141,7 +141,11 @@ fn columns(kind: &UnitKind) -> (Vec<Column>, Vec<Column>) {
                 Refine::None => {}
                 Refine::Linear => {
                     let h = (p - 1 - config.index).max(1);
-                    exp.push(plain(m).fraction(m).column("next", "The entry after it."));
+                    exp.push(
+                        plain(m)
+                            .fraction(m)
+                            .column("far", "The entry at the far end of its interval."),
+                    );
                     exp.push(plain(h).column("part", "Bits of x below the index."));
                     exp.push(plain(m).fraction(m).column("fall", "What the line falls up to x."));
                 }

@@ -28,7 +28,7 @@ fn reciprocal(unit: &ReciprocalUnit, q: i128) -> Vec<NamedWord> {
         ("exponent", words.exponent.into()),
     ];
     named.extend(
-        words.line.into_iter().flat_map(|line| ["next", "part", "fall"].into_iter().zip(line)),
+        words.line.into_iter().flat_map(|line| ["far", "part", "fall"].into_iter().zip(line)),
     );
     let steps = STEPS.into_iter().zip(words.steps);
     named.extend(steps.flat_map(|(names, words)| names.into_iter().zip(words)));

@@ -26,11 +26,12 @@ const COCOTB_UNITS: &str = r#"for file in SET.glob("*-*.cfg.tv"):
     kind = stem.split("-")[0]
     if kind in ("interpolator", "reciprocal", "divider"):
         prefix = "" if kind == "interpolator" else "o_"
-        DEVICES[stem.replace("-", "_")] = (f"{stem}.cfg", {f"{stem}.exp": prefix})
+        DEVICES["dut_" + stem.replace("-", "_")] = (f"{stem}.cfg", {f"{stem}.exp": prefix})
 "#;
 /// Which devices are walked.
 const COCOTB_WALKS: &str = r#"device in ("dda", "edge_stepper")"#;
-const COCOTB_UNIT_WALKS: &str = r#"device.split("_")[0] in ("dda", "edge", "interpolator")"#;
+const COCOTB_UNIT_WALKS: &str =
+    r#"device in ("dda", "edge_stepper") or device.startswith("dut_interpolator_")"#;
 
 /// The SystemVerilog testbench.
 pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String {

@@ -63,9 +63,9 @@ pub(super) fn wire(bench: &str) -> String {
 }
 
 impl UnitDevice {
-    /// The name of its module.
+    /// The name of its module, which is none of those in `hdl`, however a channel is called.
     pub(super) fn device(&self) -> String {
-        wire(&self.bench)
+        format!("dut_{}", wire(&self.bench))
     }
 
     /// The modules of `hdl` that it is made of.

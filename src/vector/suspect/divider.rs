@@ -74,6 +74,10 @@ fn neighbours(bench: &UnitBench) -> Vec<(String, UnitKind, &'static str)> {
                 let what = format!("w.clamp is {}", clamp.name());
                 let other = InverseWConfig { clamp, ..w };
                 list.extend(ready(own, Some(&other)).map(|kind| (what, kind, MODULE)));
+                // Both read-outs can be one module.
+                let both = AttributeConfig { clamp, ..own.clone() };
+                let what = format!("clamp and w.clamp are {}", clamp.name());
+                list.extend(ready(&both, Some(&other)).map(|kind| (what, kind, MODULE)));
             }
         }
     }
@@ -222,12 +226,14 @@ fn divide(path: &Path, corrector: &Corrector, [acc, acc_w]: [i128; 2]) -> Vec<Na
     let (low, high) = config.range();
     let above = path.compare("above the largest code", value, Relation::Greater, high);
     let under = path.compare("below the smallest code", value, Relation::Less, low);
-    let pick = match (none, negative, above, under) {
-        (true, true, ..) => 3,
-        (true, false, ..) => 2,
-        (false, _, true, _) => 0,
-        (false, _, false, true) => 1,
-        (false, _, false, false) => 4,
+    let above = path.when("the code is held from above", if none { !negative } else { above });
+    let under = path.when("the code is held from below", if none { negative } else { under });
+    let pick = match (none, above, under) {
+        (true, true, _) => 2,
+        (true, false, true) => 3,
+        (false, true, _) => 0,
+        (false, false, true) => 1,
+        (_, false, false) => 4,
     };
     let code = path.choose_near(
         "what the code is",

@@ -79,9 +79,11 @@ fn unit(path: &Path, port: &ReciprocalPort, q: i128) -> Vec<NamedWord> {
     let (p, k, m, n) = (config.operand, config.index, config.entry, port.unit.bits());
     let q = path.word("q at the reciprocal unit", q, width);
     let length = i128::from(i128::BITS - q.leading_zeros());
-    let length = path.word("the bit length of q", length, u32::BITS - width.leading_zeros());
+    let counted = u32::BITS - width.leading_zeros();
+    let length = path.word("the bit length of q", length, counted);
     let places = path.number("the distance of the normalisation", i128::from(width) - length);
-    let moved = ((q << p) << distance(places)) & low_ones(width + p);
+    // The distance is a word as wide as the length, and wraps as it does.
+    let moved = ((q << p) << distance(places & low_ones(counted))) & low_ones(width + p);
     let x = cut(path, "what the normalised operand drops", moved, width);
     let x = path.word("the normalised operand", x, p);
     let h = p - 1 - k;
@@ -105,17 +107,29 @@ fn unit(path: &Path, port: &ReciprocalPort, q: i128) -> Vec<NamedWord> {
             let product = path.product("fall of the line times the part of x", drop, part);
             let fall = cut(path, "what the fall of the line drops", product, h);
             let fall = path.word("the fall of the line", fall, m);
-            named.extend([("next", next), ("part", part), ("fall", fall)]);
+            named.extend([("far", next), ("part", part), ("fall", fall)]);
             path.sum("the value on the line", Operator::Subtract, [found, fall], m)
         }
         Refine::Newton { bits } => {
             let (mut y, mut before) = (found, m);
+            let mut earlier = [(found, m); 2];
             for ((names, b), words) in NAMES.iter().zip(bits).zip(STEPS) {
                 let step = newton(path, names, [x, y], [p, before, *b]);
                 named.extend(words.into_iter().zip(step));
+                earlier = [(y, before), earlier[0]];
                 (y, before) = (step[2], *b);
             }
-            y
+            let moved = |(y, bits): (i128, u32)| move_to(y, bits, n);
+            path.only(
+                "what is given as the mantissa",
+                ("the result of the last Newton step", y),
+                [
+                    ("what that step began with, moved to its place,", moved(earlier[0])),
+                    ("what that step began with", earlier[0].0),
+                    ("the entry of the table, moved to its place,", moved((found, m))),
+                    ("the entry of the table", found),
+                ],
+            )
         }
     };
     let mantissa = path.word("the mantissa", mantissa, n);
@@ -130,6 +144,11 @@ fn beyond(k: u32, m: u32) -> i128 {
     let divisor = (4i128 << k) + 1;
     let twice = (2i128 << (m + k + 1)) / divisor;
     (twice + 1) >> 1
+}
+
+/// A fraction of some bits as one of others.
+fn move_to(y: i128, from: u32, to: u32) -> i128 {
+    if to >= from { y << (to - from) } else { y >> (from - to) }
 }
 
 fn newton(path: &Path, names: &Names, [x, y]: [i128; 2], [p, m, b]: [u32; 3]) -> [i128; 3] {
@@ -147,7 +166,7 @@ fn newton(path: &Path, names: &Names, [x, y]: [i128; 2], [p, m, b]: [u32; 3]) ->
     let most = low_ones(b);
     let above = path.when(names.limit, next > most);
     let next = if above { most } else { next };
-    let moved = if b >= m { y << (b - m) } else { y >> (m - b) };
+    let moved = move_to(y, m, b);
     let near = [
         ("y before it, moved to its place: the step is missing,", moved),
         ("y before it: the step is missing,", y),
