@@ -118,6 +118,7 @@ fn main() {
         // Minutes each: for who changes what they try.
         ICARUS.soak_trial("long_defects_of_register_devices", register::wired_defects),
         VERILATOR.soak_trial("long_verilator_runs_a_million_vectors", bench::verilator),
+        ICARUS.soak_trial("long_defects_of_units_of_channels", mutant::of_channels),
         settler().soak_trial("long_blind_sample_of_units", blind::units::sampled),
         solver.soak_trial("long_bits_agree_with_polynomials", words::bits_agree),
         solver.soak_trial("long_defects_of_steppers", blind::proof::defects),

@@ -161,6 +161,8 @@ struct Sets {
     tops: Vec<String>,
     plain: Vec<String>,
     placed: Vec<String>,
+    /// Parts that a report calls by the module around them.
+    outer: Vec<(&'static str, &'static str)>,
 }
 
 fn texts(names: &[&str]) -> Vec<String> {
@@ -203,7 +205,11 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
             fate.second = reports(again.path(), &sets.second[n], &sets.files);
         }
         fate.trust = trust(&fate.reports, &fate.second);
-        fate.placed = fate.reports.iter().any(|report| report.places(&fate.module));
+        let known = |report: &Report| {
+            let outer = sets.outer.iter().filter(|(part, _)| *part == fate.module);
+            report.places(&fate.module) || outer.into_iter().any(|(_, top)| report.places(top))
+        };
+        fate.placed = fate.reports.iter().any(known);
         return fate;
     }
     let same = devices.iter().all(|devices| is_same(devices, mutant, sets));
@@ -286,6 +292,7 @@ pub(crate) fn sampled(_: &str) {
         tops: texts(&TOPS),
         plain: texts(&PLAIN),
         placed: texts(&["setup_divider"]),
+        outer: Vec::new(),
     };
     let devices: Vec<Devices> = sets.first.iter().map(|set| Devices::read(set)).collect();
     let sample = Sample::new(&devices[0], seed, |_| true);

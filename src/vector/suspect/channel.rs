@@ -1,7 +1,8 @@
 //! Suspects of channels: the faults that interpolators, reciprocal units and dividers usually have.
 
+use super::reciprocal::beyond;
 use super::{Suspect, Suspects};
-use crate::bits::Rounding;
+use crate::bits::{Rounding, bounded};
 use crate::format::Clamp;
 use crate::model::Model;
 use crate::profile::Profile;
@@ -189,10 +190,30 @@ pub(super) fn other_units(unit: &ReciprocalConfig) -> Vec<(String, ReciprocalCon
         let none = ReciprocalConfig { refine: Refine::None, table: Some(table), ..unit.clone() };
         list.push(("the line between entries is missing".to_owned(), none));
     }
+    list.extend(other_ends(unit));
     let operand = unit.operand - 1;
     list.push((
         format!("the operand has {operand} bits"),
         ReciprocalConfig { operand, table: Some(ready.table().to_vec()), ..unit.clone() },
     ));
     list
+}
+
+/// The same unit with the entries of lines where it has none, or the other way round.
+fn other_ends(unit: &ReciprocalConfig) -> Option<(String, ReciprocalConfig)> {
+    if unit.table.is_some() {
+        return None;
+    }
+    let lines = unit.refine == Refine::Linear;
+    let refine = if lines { Refine::None } else { Refine::Linear };
+    let other = ReciprocalConfig { refine, ..unit.clone() }.unit().ok()?;
+    let mut table = other.table().to_vec();
+    let what = if lines {
+        table.push(bounded(beyond(unit.index, unit.entry)));
+        "the entries are those in the middle of the intervals"
+    } else {
+        table.pop();
+        "the entries are those at the lower ends of the intervals"
+    };
+    Some((what.to_owned(), ReciprocalConfig { table: Some(table), ..unit.clone() }))
 }

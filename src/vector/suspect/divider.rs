@@ -2,7 +2,7 @@
 
 use super::channel::{changed, other_units, other_w};
 use super::fault::{Operator, Path, Relation, low_ones, sign_extend};
-use super::reciprocal::{self, distance};
+use super::reciprocal::{self, distance, up};
 use super::{Suspect, Suspects};
 use crate::format::{Clamp, ReadOut};
 use crate::value::{AttributeConfig, Correction, Corrector, InverseWConfig, ReciprocalConfig};
@@ -184,7 +184,8 @@ fn divide(path: &Path, corrector: &Corrector, [acc, acc_w]: [i128; 2]) -> Vec<Na
     let q = held(path, &Q, w, 0, acc_w);
     let none = path.compare("Q is zero", q, Relation::Equal, 0);
     let negative = path.compare("P is negative", p, Relation::Less, 0);
-    let up = path.number("the places that P is moved up by", below.into());
+    let places = path.number("the places that P is moved up by", below.into());
+    let numerator = up(path, "P of the division", p, distance(places));
     let own = i128::from(f);
     let mut named = vec![("p", p), ("q", q)];
     let exact = if let (Correction::Reciprocal { rounding, .. }, Some(unit)) =
@@ -193,23 +194,39 @@ fn divide(path: &Path, corrector: &Corrector, [acc, acc_w]: [i128; 2]) -> Vec<Na
         let port = ReciprocalPort { unit: unit.clone(), width: below };
         let words = reciprocal::words(path, &port, q);
         let word = |name: &str| {
-            let found = words.iter().find(|(known, _)| *known == name);
-            found.map_or(0, |(_, word)| if none { 0 } else { *word })
+            words.iter().find(|(known, _)| *known == name).map_or(0, |(_, word)| *word)
         };
         let (mantissa, exponent) = (word("mantissa"), word("exponent"));
-        named.extend([("mantissa", mantissa), ("exponent", exponent)]);
-        let product = path.product("the product of P and the mantissa", p, mantissa);
+        let shown = |name: &'static str, word: i128, bits: u32| {
+            let near =
+                [("what the unit gives where Q is zero", word), ("all ones", low_ones(bits))];
+            let operands = [("its word", word), ("zero where Q is zero", 0)];
+            path.choose_near(name, usize::from(none), operands, near)
+        };
+        let widest = u32::BITS - (unit.bits() + below - 1).leading_zeros();
+        named.push(("mantissa", shown("the mantissa that is shown", mantissa, unit.bits())));
+        named.push(("exponent", shown("the exponent that is shown", exponent, widest)));
+        let product = path.product("the product of P and the mantissa", numerator, mantissa);
+        let bits = config.integer + f + 1 + below + unit.bits();
+        let product = path.signed("the product", product, bits.min(127));
         let down = [own, exponent];
         let down = path.sum("the places that the product is moved down by", Operator::Add, down, 8);
-        rounding.shift_right(product << distance(up), distance(down)).0
+        let down = path.word("the distance that the product is moved", down, 8);
+        let value = rounding.shift_right(product, distance(down)).0;
+        // Without the rounding, and moved the other way.
+        let near = [
+            ("moved up and rounded", product << distance(down)),
+            ("the product where it was", product),
+        ];
+        path.only("the product on its way to the value", ("moved down and rounded", value), near)
     } else {
         let rounding = match &config.correction {
             Correction::Quotient { rounding } | Correction::ConstantW { rounding } => *rounding,
             _ => crate::bits::Rounding::Floor,
         };
         let fraction = path.number("the places that Q is moved up by", own);
-        let divisor = q << distance(fraction);
-        rounding.divide(p << distance(up), divisor).map_or(0, |(value, _)| value)
+        let divisor = up(path, "Q of the division", q, distance(fraction));
+        rounding.divide(numerator, divisor).map_or(0, |(value, _)| value)
     };
     let near = [
         ("P alone, not corrected for perspective,", p >> f),
@@ -223,7 +240,17 @@ fn divide(path: &Path, corrector: &Corrector, [acc, acc_w]: [i128; 2]) -> Vec<Na
         [("the rounded one", value), ("zero where Q is zero", 0)],
     );
     let value = path.signed("the value before the clamp", value, config.integer + below + 2);
-    let (low, high) = config.range();
+    let all = 1i128 << config.integer;
+    let ranges = [
+        ("of codes without a sign", (0, all - 1)),
+        ("of codes with a sign", (-(all >> 1), (all >> 1) - 1)),
+    ];
+    let [low, high] = ["the smallest code", "the largest code"]
+        .map(|name| path.choose(name, usize::from(config.signed), ranges));
+    let (low, high) = (low.0, high.1);
+    let wide = config.integer + below + 2;
+    let low = path.signed("the limit of the code below", low, wide);
+    let high = path.signed("the limit of the code above", high, wide);
     let above = path.compare("above the largest code", value, Relation::Greater, high);
     let under = path.compare("below the smallest code", value, Relation::Less, low);
     let above = path.when("the code is held from above", if none { !negative } else { above });

@@ -13,10 +13,12 @@ pub(super) const MODULE: &str = "reciprocal_unit";
 /// What the parts of a Newton step are called.
 struct Names {
     product: &'static str,
+    whole: &'static str,
     cut: &'static str,
     r: &'static str,
     t: &'static str,
     square: &'static str,
+    wide: &'static str,
     dropped: &'static str,
     limit: &'static str,
     result: &'static str,
@@ -26,10 +28,12 @@ struct Names {
 const NAMES: [Names; 2] = [
     Names {
         product: "x y of Newton step 1",
+        whole: "the product x y of Newton step 1",
         cut: "what r of Newton step 1 is cut by",
         r: "r of Newton step 1",
         t: "t = 2 - r of Newton step 1",
         square: "y t of Newton step 1",
+        wide: "the product y t of Newton step 1",
         dropped: "what the result of Newton step 1 drops",
         limit: "the largest result of Newton step 1",
         result: "what Newton step 1 gives",
@@ -37,10 +41,12 @@ const NAMES: [Names; 2] = [
     },
     Names {
         product: "x y of Newton step 2",
+        whole: "the product x y of Newton step 2",
         cut: "what r of Newton step 2 is cut by",
         r: "r of Newton step 2",
         t: "t = 2 - r of Newton step 2",
         square: "y t of Newton step 2",
+        wide: "the product y t of Newton step 2",
         dropped: "what the result of Newton step 2 drops",
         limit: "the largest result of Newton step 2",
         result: "what Newton step 2 gives",
@@ -60,8 +66,15 @@ fn cut(path: &Path, name: &'static str, word: i128, places: u32) -> i128 {
             ("a ceiling", word.wrapping_add(all) >> places),
             ("a floor of one place less", word >> places.saturating_sub(1)),
             ("a floor of one place more", word >> (places + 1)),
+            ("a shift the other way", word << places),
         ],
     )
+}
+
+/// Moved up by some places, where another way is near.
+pub(super) fn up(path: &Path, name: &'static str, word: i128, places: u32) -> i128 {
+    let near = [("moved down", word >> places), ("where it was", word)];
+    path.only(name, ("moved up", word << places), near)
 }
 
 /// A distance of a shift.
@@ -83,7 +96,8 @@ fn unit(path: &Path, port: &ReciprocalPort, q: i128) -> Vec<NamedWord> {
     let length = path.word("the bit length of q", length, counted);
     let places = path.number("the distance of the normalisation", i128::from(width) - length);
     // The distance is a word as wide as the length, and wraps as it does.
-    let moved = ((q << p) << distance(places & low_ones(counted))) & low_ones(width + p);
+    let places = distance(places & low_ones(counted));
+    let moved = up(path, "q at the normalisation", q << p, places) & low_ones(width + p);
     let x = cut(path, "what the normalised operand drops", moved, width);
     let x = path.word("the normalised operand", x, p);
     let h = p - 1 - k;
@@ -105,6 +119,8 @@ fn unit(path: &Path, port: &ReciprocalPort, q: i128) -> Vec<NamedWord> {
             let drop = [found, next];
             let drop = path.sum("what the line falls in its interval", Operator::Subtract, drop, m);
             let product = path.product("fall of the line times the part of x", drop, part);
+            let name = "the product of the line";
+            let product = path.word(name, product, m + h.max(1));
             let fall = cut(path, "what the fall of the line drops", product, h);
             let fall = path.word("the fall of the line", fall, m);
             named.extend([("far", next), ("part", part), ("fall", fall)]);
@@ -140,7 +156,7 @@ fn unit(path: &Path, port: &ReciprocalPort, q: i128) -> Vec<NamedWord> {
 }
 
 /// What the formula gives past the last interval, where a table is read too far.
-fn beyond(k: u32, m: u32) -> i128 {
+pub(super) fn beyond(k: u32, m: u32) -> i128 {
     let divisor = (4i128 << k) + 1;
     let twice = (2i128 << (m + k + 1)) / divisor;
     (twice + 1) >> 1
@@ -153,6 +169,7 @@ fn move_to(y: i128, from: u32, to: u32) -> i128 {
 
 fn newton(path: &Path, names: &Names, [x, y]: [i128; 2], [p, m, b]: [u32; 3]) -> [i128; 3] {
     let product = path.product(names.product, x, y);
+    let product = path.word(names.whole, product, p + m);
     let places = p - 1 + m;
     let r = if places >= b {
         cut(path, names.cut, product, places - b)
@@ -162,6 +179,7 @@ fn newton(path: &Path, names: &Names, [x, y]: [i128; 2], [p, m, b]: [u32; 3]) ->
     let r = path.word(names.r, r, b + 1);
     let t = path.sum(names.t, Operator::Subtract, [2i128 << b, r], b + 2) & low_ones(b + 2);
     let square = path.product(names.square, y, t);
+    let square = path.word(names.wide, square, m + b + 2);
     let next = cut(path, names.dropped, square, m);
     let most = low_ones(b);
     let above = path.when(names.limit, next > most);

@@ -71,7 +71,10 @@ impl Devices {
 
     /// The tops that have this module in them.
     pub(super) fn tops<'a>(&self, module: &str, tops: &'a [String]) -> Vec<&'a str> {
-        tops.iter().map(String::as_str).filter(|top| self.has(top, module)).collect()
+        // Of several sets, not each has every top.
+        let known = names(&self.shipped);
+        let tops = tops.iter().filter(|top| known.contains(top)).map(String::as_str);
+        tops.filter(|top| self.has(top, module)).collect()
     }
 
     fn has(&self, outer: &str, module: &str) -> bool {

@@ -19,6 +19,14 @@ const MODULES: [&str; 6] = [
     "perspective_divider",
 ];
 
+/// Parts, and the modules around them.
+const OUTER: [(&str, &str); 4] = [
+    ("newton_step", "reciprocal_unit"),
+    ("rounded_shift", "perspective_divider"),
+    ("held_value", "interpolator"),
+    ("held_value", "perspective_divider"),
+];
+
 pub(crate) fn sampled(_: &str) {
     let (seed, count) = (number("GUARDBIT_SEED", 1), number("GUARDBIT_MUTANTS", 12));
     let rows = number("GUARDBIT_ROWS", 1500);
@@ -61,6 +69,7 @@ pub(crate) fn sampled(_: &str) {
         plain: driven("interpolator"),
         tops,
         placed: MODULES.map(str::to_owned).to_vec(),
+        outer: OUTER.to_vec(),
     };
     let sample = Sample::new(&devices[1], seed, |name| MODULES.contains(&name));
     let fates = fates(&sets, &devices, sample, (count, seed, rows));
