@@ -126,7 +126,10 @@ pub(crate) fn icarus_rounds(_: &str) {
 }
 
 pub(crate) fn verilator(_: &str) {
-    let sets = sets(60_000);
+    let mut sets = sets(60_000);
+    // With the units of channels.
+    let textured = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/textured.toml");
+    sets.push(Set::new(&format!("{} --count 20000", textured.display())));
     let folders: Vec<PathBuf> = sets.iter().map(|set| set.folder.clone()).collect();
     // A build keeps one core busy: two at a time.
     let halves: Vec<Vec<PathBuf>> = folders.chunks(5).map(<[PathBuf]>::to_vec).collect();
