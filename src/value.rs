@@ -19,7 +19,7 @@ pub use attribute::{
     validate_channels,
 };
 pub use channel::{Channel, ChannelConfig, ChannelError, Extension};
-pub use correct::{Corrector, InverseRun, Line};
+pub use correct::{Corrector, Divided, InverseRun, Line};
 pub use depth::{Depth, DepthConfig, DepthError, StartBias};
 pub use depth_bias::DepthBias;
 pub use depth_buffer::{Compare, DepthBuffer};
@@ -27,6 +27,7 @@ pub use depth_codec::{leading_ones, slope_code, w_float};
 pub use depth_format::{DepthFormat, DepthFormatError};
 pub use interpolate::{Interpolation, InterpolationConfig, InterpolationError, Interpolator};
 pub use reciprocal::{
-    Reciprocal, ReciprocalConfig, ReciprocalError, ReciprocalUnit, Refine, WorstReciprocal,
+    Reciprocal, ReciprocalConfig, ReciprocalError, ReciprocalUnit, ReciprocalWords, Refine,
+    WorstReciprocal,
 };
 pub use vertex_values::{ValueError, VertexValues};

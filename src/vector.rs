@@ -15,4 +15,5 @@ pub mod plan;
 pub mod reference;
 pub mod suspect;
 pub mod table;
+mod units;
 pub mod write;

@@ -38,6 +38,8 @@ mod set;
 mod spoiled;
 #[path = "support/tool.rs"]
 mod tool;
+#[path = "hdl/units.rs"]
+mod units;
 #[path = "hdl/vhdl.rs"]
 mod vhdl;
 #[path = "hdl/wave.rs"]
@@ -75,6 +77,8 @@ fn main() {
         VERILATOR.trial("the_devices_are_lint_clean", bench::lint_clean),
         ICARUS.trial("icarus_runs_every_bench", bench::icarus),
         ICARUS.trial("icarus_rounds_in_every_way", bench::icarus_rounds),
+        ICARUS.trial("units_of_channels_pass", units::pass),
+        ICARUS.trial("faults_of_units_are_named", units::faults),
         GHDL.trial("ghdl_runs_walks_and_streams", bench::ghdl),
         GHDL.trial("ghdl_takes_late_outputs", vhdl::late_outputs),
         GHDL.trial("ghdl_takes_answers_in_any_order", vhdl::other_orders),
@@ -114,6 +118,8 @@ fn main() {
         // Minutes each: for who changes what they try.
         ICARUS.soak_trial("long_defects_of_register_devices", register::wired_defects),
         VERILATOR.soak_trial("long_verilator_runs_a_million_vectors", bench::verilator),
+        ICARUS.soak_trial("long_defects_of_units_of_channels", mutant::of_channels),
+        settler().soak_trial("long_blind_sample_of_units", blind::units::sampled),
         solver.soak_trial("long_bits_agree_with_polynomials", words::bits_agree),
         solver.soak_trial("long_defects_of_steppers", blind::proof::defects),
         solver.soak_trial("long_defects_of_larger_units", blind::proof::defects_of_larger_units),

@@ -124,8 +124,9 @@ impl WordFormat {
     }
 
     /// A column of such words.
-    pub const fn column(self, name: String, meaning: String) -> Column {
+    pub fn column(self, name: impl Into<String>, meaning: impl Into<String>) -> Column {
         let Self { width, signed, fraction } = self;
+        let (name, meaning) = (name.into(), meaning.into());
         Column { name, width, signed, fraction, meaning }
     }
 }

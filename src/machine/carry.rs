@@ -47,6 +47,11 @@ pub trait Carrier: Debug + Send + Sync {
     /// point.
     fn columns(&self, name: &str, words: &CarriedWords, scale: u32) -> Vec<Column>;
 
+    /// Whether a value is a start and two slopes, which are added sample by sample and row by row.
+    fn steps(&self) -> bool {
+        false
+    }
+
     /// Sets a value up.
     fn carry(&self, value: &LinearValue<'_>, words: &CarriedWords) -> Box<dyn Carried>;
 }
@@ -78,6 +83,10 @@ impl Carrier for Planes {
         ]
         .map(|(what, meaning)| word.column(format!("{name}_{what}"), meaning))
         .into()
+    }
+
+    fn steps(&self) -> bool {
+        true
     }
 
     fn carry(&self, value: &LinearValue<'_>, words: &CarriedWords) -> Box<dyn Carried> {

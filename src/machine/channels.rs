@@ -40,6 +40,8 @@ pub struct Channels {
     /// Set-up words that they add to those of their machine.
     columns: Vec<Column>,
     processor: Processor,
+    /// Whether linear values are a start and two slopes.
+    steps: bool,
 }
 
 #[derive(Clone, Debug)]
@@ -136,8 +138,9 @@ impl Channels {
             let (rounding, division, gain) = (w.rounding, Division::Quotient, 0);
             Ok(CarriedWords { read: w.validate(vertex)?, rounding, division, gain })
         });
-        let w = w.transpose()?;
-        let mut channels = Self { list, w, grids, ports, columns: Vec::new(), processor };
+        let (w, steps) = (w.transpose()?, carrier.steps());
+        let columns = Vec::new();
+        let mut channels = Self { list, w, grids, ports, columns, processor, steps };
         channels.columns = channels.named(carrier)?;
         Ok(channels)
     }
@@ -150,6 +153,11 @@ impl Channels {
     /// The set-up columns that the channels add to those of their machine.
     pub fn columns(&self) -> &[Column] {
         &self.columns
+    }
+
+    /// Whether linear values are a start and two slopes, which are added sample by sample and row by row.
+    pub fn steps(&self) -> bool {
+        self.steps
     }
 
     fn named(&self, carrier: &dyn Carrier) -> Result<Vec<Column>, AttributeError> {

@@ -7,7 +7,7 @@ mod run;
 pub use run::{InverseRun, Line};
 
 use super::attribute::{AttributeConfig, AttributeError, Correction, InverseWConfig};
-use super::reciprocal::ReciprocalUnit;
+use super::reciprocal::{Reciprocal, ReciprocalUnit};
 use crate::bits::{Rounding, bounded};
 use crate::format::{Decode, ReadOut};
 use crate::setup::VertexConfig;
@@ -27,6 +27,21 @@ pub struct Corrector {
     proposal: Option<Proposal>,
     /// Whether every product by a reciprocal fits 64 bits.
     narrow_product: bool,
+}
+
+/// The words of a division at a sample. Spec clause `CH-5`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Divided {
+    /// u/w as its read-out sees it, with its fraction.
+    pub p: i128,
+    /// 1/w, the same.
+    pub q: i128,
+    /// The reciprocal of Q > 0, of a correction that has a unit.
+    pub reciprocal: Option<Reciprocal>,
+    /// What is rounded, before the clamp; 0 where Q is 0.
+    pub value: i128,
+    /// The code.
+    pub code: i64,
 }
 
 impl Corrector {
@@ -98,18 +113,39 @@ impl Corrector {
         bounded(self.held(accumulator) >> self.read.fraction())
     }
 
+    /// 1/w as its read-out sees it, with its fraction.
+    #[inline]
+    fn held_w(&self, accumulator: i128) -> (i128, ReadOut) {
+        let w = self.w.unwrap_or_else(|| unreachable!("a correction that takes 1/w"));
+        (w.reduce(accumulator).clamp(0, w.top() - 1), w)
+    }
+
     /// The code for the accumulators of u/w and 1/w. Clause `CH-5`.
     #[inline]
     pub fn divided(&self, over: i128, inverse: i128) -> i64 {
-        let w = self.w.unwrap_or_else(|| unreachable!("a correction that takes 1/w"));
         let over = self.held(over);
-        let inverse = w.reduce(inverse).clamp(0, w.top() - 1);
+        let (inverse, w) = self.held_w(inverse);
         if inverse == 0 {
             return self.beyond(over);
         }
+        self.clamped(self.unclamped(over, inverse, w))
+    }
+
+    /// The same with every word on the way. Clause `CH-5`.
+    pub fn division(&self, over: i128, inverse: i128) -> Divided {
+        let p = self.held(over);
+        let (q, w) = self.held_w(inverse);
+        let reciprocal = self.unit.as_ref().filter(|_| q > 0).map(|unit| unit.of(q));
+        let value = if q == 0 { 0 } else { self.unclamped(p, q, w) };
+        Divided { p, q, reciprocal, value, code: self.divided(over, inverse) }
+    }
+
+    /// P over Q > 0, rounded.
+    #[inline]
+    fn unclamped(&self, over: i128, inverse: i128, w: ReadOut) -> i128 {
         // Bits below the binary point of 1/w, then of u/w.
         let (below, fraction) = (w.integer() + w.fraction(), self.read.fraction());
-        let exact = match (&self.config.correction, &self.unit) {
+        match (&self.config.correction, &self.unit) {
             (Correction::Reciprocal { rounding, .. }, Some(unit)) => {
                 let reciprocal = unit.of(inverse);
                 let product = over * reciprocal.mantissa;
@@ -124,8 +160,7 @@ impl Corrector {
                 rounding.divide(over << below, inverse << fraction).map_or(0, |(value, _)| value)
             }
             _ => over >> fraction,
-        };
-        self.clamped(exact)
+        }
     }
 
     /// The coordinates of vertices 1 and 2 for the weights of the three at a sample; `None` where 1/w has

@@ -1,5 +1,9 @@
 //! A reciprocal unit: normalise, look up, refine. Spec clauses `CH-9` to `CH-12`.
 
+mod words;
+
+pub use words::ReciprocalWords;
+
 use crate::bits::{Rounding, bounded};
 use num_traits::PrimInt;
 #[cfg(feature = "verification")]

@@ -6,24 +6,29 @@
 mod channel;
 mod coverage;
 mod files;
+mod interpolator;
 mod register;
 mod rig;
 mod setup;
 mod shape;
 mod triangle;
 mod triangles;
+mod unit;
 mod walk;
 mod word;
 
 pub use channel::{ChannelBench, ChannelTest};
 pub use coverage::{Cell, Cells, Coverage, Goal, Reason, Shape, Unreachable};
 pub use files::{Answers, ChannelAnswers, RegisterAnswers, ShapeAnswers, Single, TriangleAnswers};
+pub use interpolator::InterpolatorBench;
 pub use register::{RegisterBench, RegisterTest};
 pub use rig::{Rig, Run, TestBench};
 pub use setup::{SetupBench, SetupTest};
 pub use shape::{ShapeBench, ShapeKind, ShapeTest};
 pub(in crate::vector) use triangle::word_engine;
 pub use triangle::{TriangleBench, TriangleTest};
+pub(in crate::vector) use unit::UnitKind;
+pub use unit::{UnitBench, UnitTest};
 pub(in crate::vector) use walk::read_out;
 pub use walk::{WalkBench, WalkKind, WalkTest};
 pub(in crate::vector) use word::{bounds, ready};
@@ -72,8 +77,8 @@ pub struct Group {
 
 /// Stimulus and expectation for one piece of hardware.
 pub trait Bench: Suspects + Send + Sync {
-    /// Short name: `dda`, `edge`, `setup`, `triangle`.
-    fn name(&self) -> &'static str;
+    /// Short name: `dda`, `edge`, `setup`, `triangle`, `reciprocal-NAME`.
+    fn name(&self) -> &str;
 
     /// Its files: configuration first, then expectations.
     fn files(&self) -> Vec<FileSpec>;
@@ -180,6 +185,12 @@ impl Source {
         benches.push(Box::new(SetupBench::new(self)));
         benches.push(Box::new(TriangleBench::new(self)));
         if let Some(bench) = ChannelBench::new(self) {
+            benches.push(Box::new(bench));
+        }
+        for bench in InterpolatorBench::all(self) {
+            benches.push(Box::new(bench));
+        }
+        for bench in UnitBench::all(self) {
             benches.push(Box::new(bench));
         }
         for bench in ShapeKind::ALL.into_iter().filter_map(|kind| ShapeBench::new(kind, self)) {

@@ -2,18 +2,22 @@
 //! diagnosis is one, and a device of one's own can be one too.
 
 mod channel;
+mod interpolator;
 mod register;
 mod setup;
 mod shape;
 mod triangle;
+mod unit;
 mod walk;
 mod words;
 
 pub(super) use channel::ChannelDrawer;
+pub(super) use interpolator::Interpolates;
 pub(super) use register::{Recorder, records};
 pub(super) use setup::{SetUp, setup_words};
 pub(super) use shape::ShapeDrawer;
 pub(super) use triangle::{Drawer, draw, drawing, grid, summary};
+pub(super) use unit::{Computes, NamedWord, STEPS, in_order};
 pub(super) use walk::{Operands, Stepper, guard, reference as walker, signed};
 
 use super::bench::{Answers, Coverage};

@@ -15,6 +15,7 @@ mod rtl;
 mod stream;
 mod systemverilog;
 mod template;
+mod unit;
 mod verilog;
 mod vhdl;
 mod wired;
@@ -104,6 +105,17 @@ pub struct EngineParameters {
     pub any_order: bool,
 }
 
+/// The device of a unit of channels: a module that sets the parameters of one of `hdl`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct UnitDevice {
+    /// The bench that drives it, such as `reciprocal-map`. Its module is `dut_reciprocal_map`.
+    pub bench: String,
+    /// The module of `hdl`.
+    pub module: &'static str,
+    /// The parameters of that module, and their values in SystemVerilog.
+    pub values: Vec<(&'static str, String)>,
+}
+
 /// Everything the generated files depend on; equal interfaces give equal text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Interface {
@@ -120,6 +132,8 @@ pub struct Interface {
     pub engine: Result<EngineParameters, String>,
     /// What draws registers, or why no device that this crate brings can do its job.
     pub registers: Result<RegisterDevice, String>,
+    /// The units of channels that this crate has a device for.
+    pub units: Vec<UnitDevice>,
     /// The data files, in the order they are described.
     pub files: Vec<FileLayout>,
 }

@@ -3,8 +3,11 @@
 //! clauses `N-14` and `J-5`.
 
 mod channel;
+mod divider;
 mod engine;
 mod fault;
+mod interpolator;
+mod reciprocal;
 mod register;
 mod setup;
 mod shape;

@@ -23,6 +23,8 @@ mod settle;
 mod source;
 #[path = "blind/textbook.rs"]
 pub(crate) mod textbook;
+#[path = "blind/units.rs"]
+pub(crate) mod units;
 
 use crate::run::run_in;
 use crate::set::{limited, run};
@@ -105,10 +107,10 @@ fn build(home: &Path, set: &Path) -> (bool, String) {
     run(home, "iverilog", &["-g2012", "-o", "sim.vvp", &file("pkg.sv"), "dut.sv", &file("tb.sv")])
 }
 
-/// The reports on the dumps of a folder that differ from the set; other dumps go.
-fn reports(home: &Path, set: &Path) -> Vec<Report> {
+/// The reports on the dumps of these files that differ from the set; other dumps go.
+fn reports(home: &Path, set: &Path, files: &[String]) -> Vec<Report> {
     let mut dumps = Vec::new();
-    for file in ["dda", "edge", "setup", "span", "depth", "triangle"] {
+    for file in files {
         let dump = home.join(format!("{file}.exp.dut.tv"));
         if !dump.exists() {
             continue;
@@ -150,6 +152,21 @@ struct Sets {
     limit: Duration,
     /// For each question to yosys.
     question: Duration,
+    /// The names of the sets.
+    names: Vec<String>,
+    /// Stems of the files that devices answer, without `.exp`.
+    files: Vec<String>,
+    /// The modules that a bench drives, those whose answers count in every clock, and those that have the
+    /// widths of their places.
+    tops: Vec<String>,
+    plain: Vec<String>,
+    placed: Vec<String>,
+    /// Parts that a report calls by the module around them.
+    outer: Vec<(&'static str, &'static str)>,
+}
+
+fn texts(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
 }
 
 fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fate {
@@ -174,10 +191,10 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
         let home = tempfile::tempdir().unwrap();
         let device = devices[n].with(mutant);
         let Some(how) = failure(home.path(), set, &device, sets.limit) else { continue };
-        fate.reports = reports(home.path(), set);
-        fate.killed = Some((SETS[n].to_owned(), how.clone()));
+        fate.reports = reports(home.path(), set, &sets.files);
+        fate.killed = Some((sets.names[n].clone(), how.clone()));
         if let Some(keep) = &sets.keep {
-            std::fs::write(home.path().join("set"), SETS[n]).unwrap();
+            std::fs::write(home.path().join("set"), &sets.names[n]).unwrap();
             save(home.path(), &keep.join(&fate.id));
         }
         // A choice of causes, or none, is not confident and needs no second opinion.
@@ -185,13 +202,17 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
         if confident && how != ENDLESS {
             let again = tempfile::tempdir().unwrap();
             failure(again.path(), &sets.second[n], &device, sets.limit);
-            fate.second = reports(again.path(), &sets.second[n]);
+            fate.second = reports(again.path(), &sets.second[n], &sets.files);
         }
         fate.trust = trust(&fate.reports, &fate.second);
-        fate.placed = fate.reports.iter().any(|report| report.places(&fate.module));
+        let known = |report: &Report| {
+            let outer = sets.outer.iter().filter(|(part, _)| *part == fate.module);
+            report.places(&fate.module) || outer.into_iter().any(|(_, top)| report.places(top))
+        };
+        fate.placed = fate.reports.iter().any(known);
         return fate;
     }
-    let same = devices.iter().all(|devices| is_same(devices, mutant, sets.question));
+    let same = devices.iter().all(|devices| is_same(devices, mutant, sets));
     fate.second_kills = !same
         && sets.second.iter().zip(devices).any(|(set, devices)| {
             let home = tempfile::tempdir().unwrap();
@@ -199,7 +220,7 @@ fn fate(sets: &Sets, devices: &[Devices], number: usize, mutant: &Mutant) -> Fat
         });
     fate.settled = Some(if same {
         Settled::Equivalent
-    } else if fate.second_kills || is_different(&devices[0], mutant, sets.question) {
+    } else if fate.second_kills || is_different(devices, mutant, sets) {
         Settled::Different
     } else {
         Settled::Open
@@ -221,17 +242,17 @@ fn pair(devices: &Devices, mutant: &Mutant) -> TempDir {
 }
 
 /// Whether the module is the same on its own, or in all that a bench drives.
-fn is_same(devices: &Devices, mutant: &Mutant, limit: Duration) -> bool {
-    let home = pair(devices, mutant);
-    // The divider has the widths of its places.
-    let alone = mutant.module != "setup_divider" && same(home.path(), &mutant.module, limit);
-    let tops = devices.tops(&mutant.module, &TOPS);
+fn is_same(devices: &Devices, mutant: &Mutant, sets: &Sets) -> bool {
+    let (home, limit) = (pair(devices, mutant), sets.question);
+    let alone = !sets.placed.contains(&mutant.module) && same(home.path(), &mutant.module, limit);
+    let tops = devices.tops(&mutant.module, &sets.tops);
     alone || tops.iter().all(|top| same(home.path(), top, limit))
 }
 
-fn is_different(devices: &Devices, mutant: &Mutant, limit: Duration) -> bool {
-    let home = pair(devices, mutant);
-    devices.tops(&mutant.module, &PLAIN).iter().any(|top| differ(home.path(), top, limit))
+fn is_different(devices: &[Devices], mutant: &Mutant, sets: &Sets) -> bool {
+    let home = pair(&devices[0], mutant);
+    let tops = devices[0].tops(&mutant.module, &sets.plain);
+    tops.iter().any(|top| differ(home.path(), top, sets.question))
 }
 
 /// The device and the dumps that differ.
@@ -266,11 +287,27 @@ pub(crate) fn sampled(_: &str) {
         keep,
         limit: Duration::from_secs(10 + rows / 2000),
         question: Duration::from_secs(number("GUARDBIT_SECONDS", 5)),
+        names: texts(&SETS),
+        files: texts(&["dda", "edge", "setup", "span", "depth", "triangle"]),
+        tops: texts(&TOPS),
+        plain: texts(&PLAIN),
+        placed: texts(&["setup_divider"]),
+        outer: Vec::new(),
     };
     let devices: Vec<Devices> = sets.first.iter().map(|set| Devices::read(set)).collect();
+    let sample = Sample::new(&devices[0], seed, |_| true);
+    let fates = fates(&sets, &devices, sample, (count, seed, rows));
+    judge(&fates);
+}
 
+/// What becomes of a sample.
+fn fates(
+    sets: &Sets,
+    devices: &[Devices],
+    mut sample: Sample,
+    (count, seed, rows): (u64, u64, u64),
+) -> Vec<Fate> {
     // A mutant that does not elaborate is none.
-    let mut sample = Sample::new(&devices[0], seed);
     let mut mutants = Vec::new();
     let bench = tempfile::tempdir().unwrap();
     while mutants.len() < usize::try_from(count).unwrap() {
@@ -293,7 +330,7 @@ pub(crate) fn sampled(_: &str) {
                 loop {
                     let next = queue.lock().unwrap().next();
                     let Some((number, mutant)) = next else { break };
-                    let fate = fate(&sets, &devices, number, mutant);
+                    let fate = fate(sets, devices, number, mutant);
                     let mut fates = fates.lock().unwrap();
                     if let Some(file) = &mut *file.lock().unwrap() {
                         writeln!(file, "{}", serde_json::to_string(&fate).unwrap()).unwrap();
@@ -306,7 +343,7 @@ pub(crate) fn sampled(_: &str) {
     let mut fates = fates.into_inner().unwrap();
     fates.sort_by(|a, b| a.id.cmp(&b.id));
     eprintln!("seed {seed}, {rows} rows, {} of {} possible mutants", fates.len(), sample.possible);
-    judge(&fates);
+    fates
 }
 
 fn judge(fates: &[Fate]) {

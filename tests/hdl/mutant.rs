@@ -4,6 +4,7 @@
 // Clause J-5.
 use crate::run::run_in;
 use crate::set::run;
+use crate::units::{CHANNELS, profile};
 use serde::Deserialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
@@ -136,14 +137,14 @@ fn diagnose(set: &Path, home: &Path, fate: &mut Fate) {
     }
 }
 
-fn mutants() -> Mutants {
-    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/mutants.toml");
+fn mutants(name: &str) -> Mutants {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/hdl/{name}.toml"));
     toml::from_str(&std::fs::read_to_string(source).unwrap()).unwrap()
 }
 
 /// The mutants of all devices but the engine: id, module, whether nothing is wrong, and the devices.
 pub(crate) fn of_units(devices: &str) -> Vec<(String, String, bool, String)> {
-    let all = mutants().mutant.into_iter();
+    let all = mutants("mutants").mutant.into_iter();
     all.filter(|mutant| mutant.module != "triangle_engine")
         .map(|mutant| {
             let text = mutate(devices, &mutant);
@@ -153,15 +154,31 @@ pub(crate) fn of_units(devices: &str) -> Vec<(String, String, bool, String)> {
 }
 
 pub(crate) fn caught_and_named(_: &str) {
-    let mutants = mutants();
-    let only = std::env::var("GUARDBIT_MUTANT").unwrap_or_default();
-    let mutants: Vec<Mutant> =
-        mutants.mutant.into_iter().filter(|mutant| mutant.id.contains(&only)).collect();
     let home = tempfile::tempdir().unwrap();
     // The default job's sets, smaller.
     run_in(home.path(), "vectors --count 1500 --out sets").ends(0);
     let sets = ["sgi-4k", "sgi-4k-g1", "sgi-4k-g3", "sgi-4k-g4"];
     let sets = sets.map(|set| home.path().join("sets").join(set));
+    look_at("mutants", "mutant -- --ignored", &sets, 60);
+}
+
+/// The same of the devices of channels.
+pub(crate) fn of_channels(_: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let sets = ["textured", "every"].into_iter().zip(CHANNELS).map(|(name, channels)| {
+        profile(home.path(), name, channels);
+        run_in(home.path(), &format!("vectors {name}.toml --count 1500 --out {name}")).ends(0);
+        home.path().join(name)
+    });
+    let sets: Vec<PathBuf> = sets.collect();
+    look_at("unit_mutants", "long_defects_of_units -- --ignored", &sets, 30);
+}
+
+/// Looks at the mutants of a file, which has at least so many that are defects.
+fn look_at(name: &str, command: &str, sets: &[PathBuf], least: usize) {
+    let only = std::env::var("GUARDBIT_MUTANT").unwrap_or_default();
+    let mutants = mutants(name).mutant.into_iter();
+    let mutants: Vec<Mutant> = mutants.filter(|mutant| mutant.id.contains(&only)).collect();
     let queue = Mutex::new(mutants.iter());
     let fates = Mutex::new(BTreeMap::new());
     thread::scope(|scope| {
@@ -170,17 +187,17 @@ pub(crate) fn caught_and_named(_: &str) {
                 loop {
                     let next = queue.lock().unwrap().next();
                     let Some(mutant) = next else { break };
-                    let fate = fate(&sets, mutant);
+                    let fate = fate(sets, mutant);
                     fates.lock().unwrap().insert(fate.mutant.id.clone(), fate);
                 }
             });
         }
     });
     let fates = fates.into_inner().unwrap();
-    judge(&fates, only.is_empty());
+    judge((name, command), &fates, only.is_empty().then_some(least));
 }
 
-fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
+fn judge((name, command): (&str, &str), fates: &BTreeMap<String, Fate>, least: Option<usize>) {
     let mut table = String::new();
     let mut faults = Vec::new();
     let (mut live, mut right) = (0, 0);
@@ -214,7 +231,7 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
         }
     }
     let mut text = format!(
-        "# Which class of tests catches which defect\n\nWritten by `GUARDBIT_WRITE=1 cargo test --test hdl mutant -- --ignored` \
+        "# Which class of tests catches which defect\n\nWritten by `GUARDBIT_WRITE=1 cargo test --test hdl {command}` \
          and compared by it. {right} of {live} causes named, {} mutants.\n\n| class of tests | defects \
          |\n| --- | --- |\n",
         fates.len()
@@ -227,14 +244,14 @@ fn judge(fates: &BTreeMap<String, Fate>, whole: bool) {
         "\n| defect | kind | verdict | caught by |\n| --- | --- | --- | --- |\n{table}"
     );
     assert!(faults.is_empty(), "{faults:#?}");
-    if whole {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/hdl/mutants.md");
+    if let Some(least) = least {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/hdl/{name}.md"));
         if std::env::var_os("GUARDBIT_WRITE").is_some() {
             std::fs::write(&path, &text).unwrap();
         }
         let written = std::fs::read_to_string(&path).unwrap_or_default();
-        assert_eq!(written, text, "tests/hdl/mutants.md is not what the benches find");
-        assert!(live >= 60, "{live}");
+        assert_eq!(written, text, "tests/hdl/{name}.md is not what the benches find");
+        assert!(live >= least, "{live}");
         assert!(right * 5 >= live * 4, "{right} of {live} causes named");
     }
 }

@@ -193,7 +193,7 @@ impl TestBench for ShapeBench {
 }
 
 impl Bench for ShapeBench {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         self.kind.name()
     }
 

@@ -226,7 +226,7 @@ impl TestBench for WalkBench {
 }
 
 impl Bench for WalkBench {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         if self.kind == WalkKind::Depth { "dda" } else { "edge" }
     }
 

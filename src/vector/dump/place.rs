@@ -72,6 +72,14 @@ fn by_columns(group: &[&Judged], all: &[&Judged]) -> Vec<&'static str> {
         "setup" => vec!["triangle_setup"],
         "channel" if group[0].subject.spec.stem == "channel-setup.exp" => vec!["channel_setup"],
         "channel" => vec!["interpolator"],
+        name if name.starts_with("interpolator-") => vec!["interpolator"],
+        name if name.starts_with("reciprocal-") => vec!["reciprocal_unit"],
+        // What the reciprocal gives is looked at before what is made of it.
+        name if name.starts_with("divider-") => {
+            let unit = differ.iter().any(|d| ["mantissa", "exponent"].contains(&d.column.as_str()));
+            let read = differ.iter().any(|d| ["p", "q"].contains(&d.column.as_str()));
+            if unit && !read { vec!["reciprocal_unit"] } else { vec!["perspective_divider"] }
+        }
         "triangle" => {
             let moved = |seen: &Observed| seen.missing + seen.extra > 0;
             let runs = file("span.exp").is_some_and(moved) || file("depth.exp").is_some_and(moved);

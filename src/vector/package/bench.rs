@@ -8,6 +8,7 @@ use super::record::Record;
 use super::rtl::{Source, Values};
 use super::stream::{self, Stream};
 use super::template::{fill, head};
+use super::unit::{self, wire};
 
 /// What the head of a SystemVerilog file says of a bench that is left out.
 const LEFT_OUT: &str = "// Not checked, @BENCH@: @REASON@.\n";
@@ -18,6 +19,19 @@ const LEFT_OUT_VHDL: &str = "-- Not checked, @BENCH@: @REASON@.\n";
 const LATENCY: &str = ";
         -- Clocks that the outputs of walks come late.
         LATENCY : natural range 0 to 63 := 0";
+
+/// What the cocotb scoreboard knows of the units of channels: a device of the name of each bench.
+const COCOTB_UNITS: &str = r#"for file in SET.glob("*-*.cfg.tv"):
+    stem = file.name[: -len(".cfg.tv")]
+    kind = stem.split("-")[0]
+    if kind in ("interpolator", "reciprocal", "divider"):
+        prefix = "" if kind == "interpolator" else "o_"
+        DEVICES["dut_" + stem.replace("-", "_")] = (f"{stem}.cfg", {f"{stem}.exp": prefix})
+"#;
+/// Which devices are walked.
+const COCOTB_WALKS: &str = r#"device in ("dda", "edge_stepper")"#;
+const COCOTB_UNIT_WALKS: &str =
+    r#"device in ("dda", "edge_stepper") or device.startswith("dut_interpolator_")"#;
 
 /// The SystemVerilog testbench.
 pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String {
@@ -38,7 +52,7 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
     let checks = halves.iter().map(Half::systemverilog);
     let checks: String = checks.chain(streams.iter().map(Stream::systemverilog)).collect();
     let instances = each("\n", &|name| {
-        let scope = identifier(name);
+        let (scope, name) = (identifier(name), wire(name));
         format!(
             "    wire {name}_done;\n    wire [63:0] {name}_rows, {name}_mismatches;\n    {name}_check {scope} (.clk(clk && !{name}_done), .done({name}_done), .rows({name}_rows), .mismatches({name}_mismatches));\n"
         )
@@ -52,11 +66,11 @@ pub(super) fn systemverilog(interface: &Interface, records: &[Record]) -> String
             ("SAY", &say("            ")),
             ("UNCHECKED", &plan.verdict()),
             ("SCOPES", &each(", ", &identifier)),
-            ("DONE", &each(" && ", &|name| format!("{name}_done"))),
-            ("BAD", &each(" || ", &|name| format!("{name}_mismatches != 0"))),
+            ("DONE", &each(" && ", &|name| wire(name) + "_done")),
+            ("BAD", &each(" || ", &|name| wire(name) + "_mismatches != 0")),
             ("SUMMARY", &each("", &|name| format!(" {name} rows=%0d"))),
-            ("ROWS", &each("", &|name| format!(", {name}_rows"))),
-            ("MISMATCHES", &each(" + ", &|name| format!("{name}_mismatches"))),
+            ("ROWS", &each("", &|name| format!(", {}_rows", wire(name)))),
+            ("MISMATCHES", &each(" + ", &|name| wire(name) + "_mismatches")),
         ],
     );
     head(interface, &text)
@@ -68,13 +82,17 @@ pub(super) fn systemverilog_device(interface: &Interface, records: &[Record]) ->
     let start = fill(include_str!("dut.sv.in"), &[("LEFT_OUT", &plan.each_unchecked(LEFT_OUT))]);
     let text = start
         + &devices(interface, &plan.halves, |half| half.module)
-        + &stream::modules(&plan.streams, &plan.halves);
+        + &stream::modules(&plan.streams, &plan.halves)
+        + &unit::modules(interface, records, &plan);
     head(interface, &text)
 }
 
 /// The cocotb scoreboard, which reads what it has to know from the manifest.
 pub(super) fn cocotb(interface: &Interface) -> String {
-    head(interface, include_str!("tb_cocotb.py.in"))
+    let units = if interface.units.is_empty() { "" } else { COCOTB_UNITS };
+    let walks = if interface.units.is_empty() { COCOTB_WALKS } else { COCOTB_UNIT_WALKS };
+    let text = include_str!("tb_cocotb.py.in");
+    head(interface, &fill(text, &[("UNITS", units), ("WALKS", walks)]))
 }
 
 /// The VHDL testbench.
@@ -154,12 +172,12 @@ pub(super) fn vhdl_device(interface: &Interface, records: &[Record]) -> String {
 fn devices(
     interface: &Interface,
     halves: &[Half],
-    source: fn(&Half<'_>) -> &'static Source,
+    source: fn(&Half<'_>) -> Option<&'static Source>,
 ) -> String {
-    let texts = halves.iter().map(|half| {
+    let texts = halves.iter().filter_map(|half| {
         let width = half.state.column.width;
         let values = Values::of_clamp(&interface.clamp).and("M", width);
-        format!("\n{}", source(half).with(&values))
+        Some(format!("\n{}", source(half)?.with(&values)))
     });
     texts.collect()
 }

@@ -1,19 +1,22 @@
 //! One half of a bench: a device, its two files and their fixed columns.
 
-use super::Interface;
 use super::record::{Field, Record};
 use super::rtl::{self, Source};
 use super::template::fill;
+use super::unit::{self, wire};
+use super::{Interface, UnitDevice};
 use crate::format::Role;
 
 /// A pair of files that one device answers: walks in, a row of state and output a clock out.
 pub(super) struct Half<'a> {
-    /// `dda` or `edge`.
-    pub(super) name: &'static str,
+    /// `dda`, `edge` or `interpolator-NAME`.
+    pub(super) name: String,
     /// Its module or entity, in either language.
-    pub(super) device: &'static str,
-    pub(super) module: &'static Source,
-    pub(super) entity: &'static Source,
+    pub(super) device: String,
+    /// What it is in `hdl`; a unit of channels is a module around one of these.
+    pub(super) module: Option<&'static Source>,
+    /// The same in VHDL.
+    pub(super) entity: Option<&'static Source>,
     cfg: &'a Record<'a>,
     /// The file of expectations.
     pub(super) exp: &'a Record<'a>,
@@ -26,37 +29,37 @@ pub(super) struct Half<'a> {
 }
 
 /// What a half is in any set: its name, its device in both languages, and its fixed columns.
-struct Shape {
-    name: &'static str,
-    device: &'static str,
-    module: &'static Source,
-    entity: &'static Source,
+struct Shape<'n> {
+    name: &'n str,
+    device: &'n str,
+    module: Option<&'static Source>,
+    entity: Option<&'static Source>,
     inputs: [Role; 3],
     state: Role,
     output: Role,
 }
 
-const DDA: Shape = Shape {
+const DDA: Shape<'static> = Shape {
     name: "dda",
     device: "dda",
-    module: &rtl::DDA,
-    entity: &rtl::DDA_VHDL,
+    module: Some(&rtl::DDA),
+    entity: Some(&rtl::DDA_VHDL),
     inputs: [Role::INIT, Role::DX, Role::DY],
     state: Role::ACC,
     output: Role::OUT,
 };
-const EDGE: Shape = Shape {
+const EDGE: Shape<'static> = Shape {
     name: "edge",
     device: "edge_stepper",
-    module: &rtl::EDGE_STEPPER,
-    entity: &rtl::EDGE_STEPPER_VHDL,
+    module: Some(&rtl::EDGE_STEPPER),
+    entity: Some(&rtl::EDGE_STEPPER_VHDL),
     inputs: [Role::WALKED_EDGE_INIT, Role::WALKED_EDGE_DX, Role::WALKED_EDGE_DY],
     state: Role::WALKED_EDGE,
     output: Role::INSIDE,
 };
 
 /// The half, if the set has both of its files with all of their fixed columns.
-fn half<'a>(records: &'a [Record<'a>], shape: &Shape, parts: &[u32]) -> Option<Half<'a>> {
+fn half<'a>(records: &'a [Record<'a>], shape: &Shape<'_>, parts: &[u32]) -> Option<Half<'a>> {
     let &Shape { name, device, module, entity, inputs: [in0, in1, in2], state, output } = shape;
     let find =
         |kind: &str| records.iter().find(|record| record.file.name == format!("{name}.{kind}.tv"));
@@ -65,8 +68,8 @@ fn half<'a>(records: &'a [Record<'a>], shape: &Shape, parts: &[u32]) -> Option<H
     let state = exp.field(state.pattern)?;
     let known = parts.iter().sum::<u32>() == state.column.width;
     Some(Half {
-        name,
-        device,
+        name: name.to_owned(),
+        device: device.to_owned(),
         module,
         entity,
         cfg,
@@ -83,14 +86,19 @@ pub(super) fn halves<'a>(interface: &Interface, records: &'a [Record<'a>]) -> Ve
     let clamp = &interface.clamp;
     let dda = half(records, &DDA, &[clamp.guard, clamp.integer, clamp.fraction]);
     let edge = half(records, &EDGE, &[]);
-    dda.into_iter().chain(edge).collect()
+    let walks = interface.units.iter().filter(|unit| unit.module == unit::INTERPOLATOR);
+    let interpolator = |unit: &UnitDevice| {
+        let (name, device) = (unit.bench.as_str(), unit.device());
+        half(records, &Shape { name, device: &device, module: None, entity: None, ..DDA }, &[])
+    };
+    dda.into_iter().chain(edge).chain(walks.filter_map(interpolator)).collect()
 }
 
 impl Half<'_> {
     /// The device's parameters as the package has them.
     fn parameters(&self) -> String {
         let width = format!("{}_{}_WIDTH", self.exp.constant(), self.state.constant());
-        parameters(self.module, &[("M", width)])
+        self.module.map_or_else(String::new, |module| parameters(module, &[("M", width)]))
     }
 
     /// Highest and lowest bit of each part of the state that is not empty.
@@ -114,8 +122,9 @@ impl Half<'_> {
         fill(
             &text,
             &[
-                ("HALF", self.name),
-                ("DEVICE", self.device),
+                ("HALF", &self.name),
+                ("ID", &wire(&self.name)),
+                ("DEVICE", &self.device),
                 ("CFG", &self.cfg.constant()),
                 ("EXP", &self.exp.constant()),
                 ("CFG_ID", &self.cfg.id),

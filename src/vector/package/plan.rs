@@ -27,22 +27,24 @@ pub(super) struct Plan<'a> {
 impl<'a> Plan<'a> {
     /// Of `tb.sv`.
     pub(super) fn systemverilog(interface: &Interface, records: &'a [Record<'a>]) -> Self {
-        Self::new("tb.sv", interface, records, streams(interface, records))
+        let halves = halves(interface, records);
+        Self::new("tb.sv", interface, records, halves, streams(interface, records))
     }
 
     /// Of `tb.vhd`.
     pub(super) fn vhdl(interface: &Interface, records: &'a [Record<'a>]) -> Self {
         let streams = streams(interface, records).into_iter().filter(Stream::has_entity);
-        Self::new("tb.vhd", interface, records, streams.collect())
+        let halves = halves(interface, records).into_iter().filter(|half| half.entity.is_some());
+        Self::new("tb.vhd", interface, records, halves.collect(), streams.collect())
     }
 
     fn new(
         testbench: &'static str,
         interface: &Interface,
         records: &'a [Record<'a>],
+        halves: Vec<Half<'a>>,
         streams: Vec<Stream<'a>>,
     ) -> Self {
-        let halves = halves(interface, records);
         let mut plan = Self { halves, streams, unchecked: Vec::new() };
         let names = plan.names();
         let benches = records.iter().filter_map(|record| record.file.name.strip_suffix(".cfg.tv"));
@@ -58,9 +60,9 @@ impl<'a> Plan<'a> {
     }
 
     /// The benches that it drives.
-    pub(super) fn names(&self) -> Vec<&'static str> {
-        let halves = self.halves.iter().map(|half| half.name);
-        halves.chain(self.streams.iter().map(|stream| stream.name)).collect()
+    pub(super) fn names(&self) -> Vec<&str> {
+        let halves = self.halves.iter().map(|half| half.name.as_str());
+        halves.chain(self.streams.iter().map(|stream| stream.name.as_str())).collect()
     }
 
     /// A line for each bench that is left out; `@BENCH@` and `@REASON@` of the text are filled in.
@@ -107,10 +109,11 @@ fn reason(interface: &Interface, records: &[Record], bench: &str, testbench: &st
         "words" => interface.registers.as_ref().err().cloned(),
         _ => None,
     };
-    let here = matches!(bench, "setup" | "triangle" | "words")
+    let unit = interface.units.iter().any(|unit| unit.bench == bench);
+    let here = (unit || matches!(bench, "setup" | "triangle" | "words"))
         && missing.is_none()
         && testbench == "tb.vhd";
-    if here && !streams(interface, records).is_empty() {
+    if here && (unit || !streams(interface, records).is_empty()) {
         return "the set has no such device in VHDL; tb.sv checks it".to_owned();
     }
     missing.unwrap_or_else(other)

@@ -263,6 +263,7 @@ mod tests {
     use super::*;
     use crate::bits::Rounding;
     use crate::format::Clamp;
+    use crate::vector::package::unit;
     use std::collections::BTreeMap;
 
     const ALL: [&Source; 13] = [
@@ -282,7 +283,7 @@ mod tests {
     ];
 
     fn all() -> impl Iterator<Item = &'static Source> {
-        ALL.into_iter().chain(wired::ALL)
+        ALL.into_iter().chain(wired::ALL).chain(unit::ALL)
     }
 
     /// A value of its own for each parameter of a device.
@@ -356,6 +357,14 @@ mod tests {
             }
             let used = format!("            {constant}: up = ");
             assert_eq!(SETUP_DIVIDER.text.matches(&used).count(), 1, "{used}");
+            // The product of a perspective divider is rounded by a table of its own.
+            let shift = unit::ROUNDED_SHIFT.text;
+            assert_eq!(constants(shift).get(&constant), Some(&names.code), "{constant}");
+            let table = |text: &str| {
+                let line = text.lines().find(|line| line.starts_with(&used));
+                line.map(str::to_owned)
+            };
+            assert_eq!(table(shift), table(SETUP_DIVIDER.text), "{used}");
             // In VHDL the others leave the magnitude as it is.
             let used = format!("                when {constant} => up := ");
             let times = usize::from(rounding != Rounding::TowardZero);

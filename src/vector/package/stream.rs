@@ -8,6 +8,7 @@ use super::half::{Half, pack, parameters, text_mask};
 use super::record::{Field, Record};
 use super::rtl::{Source, Values};
 use super::template::fill;
+use super::unit::wire;
 use crate::format::Role;
 use answer::{Answer, COMPLETE, COMPLETE_ANY, FORGET, MISSING, READY, WATCH};
 pub(super) use list::streams;
@@ -15,9 +16,10 @@ pub(super) use list::streams;
 /// A device, the file that drives it and the files that it answers.
 pub(super) struct Stream<'a> {
     /// The bench's name, and the stem of the file that drives it.
-    pub(super) name: &'static str,
-    device: &'static str,
-    /// The modules that the device is made of, itself last.
+    pub(super) name: String,
+    device: String,
+    /// The modules that the device is made of, itself last; none of a unit of channels, which is a module
+    /// around one of them.
     parts: &'static [&'static Source],
     /// The same in VHDL; empty if there is no such device.
     entities: &'static [&'static Source],
@@ -47,9 +49,11 @@ fn devices(
     streams: &[Stream],
     halves: &[Half],
     parts: fn(&Stream) -> &'static [&'static Source],
-    of_half: fn(&Half) -> &'static Source,
+    of_half: fn(&Half) -> Option<&'static Source>,
 ) -> String {
-    let have = |source: &Source| halves.iter().any(|half| of_half(half).file() == source.file());
+    let have = |source: &Source| {
+        halves.iter().filter_map(of_half).any(|module| module.file() == source.file())
+    };
     let mut text = String::new();
     for stream in streams {
         for part in parts(stream).iter().filter(|part| !have(part)) {
@@ -119,7 +123,7 @@ impl Stream<'_> {
                 ("MISSING", &each(&|answer| answer.keyed(MISSING))),
                 ("HINT", order(HINT)),
                 ("PARAMETERS", &self.parameters()),
-                ("ANSWERS", &each(&|answer| answer.declare(self.name))),
+                ("ANSWERS", &each(&|answer| answer.declare(&self.name))),
                 ("INPUTS", &inputs.concat()),
                 ("OUTPUTS", each(&|answer| answer.connect()).trim_end_matches([',', '\n'])),
                 ("START", &each(&|answer| answer.start())),
@@ -143,8 +147,10 @@ impl Stream<'_> {
         fill(
             text,
             &[
-                ("HALF", self.name),
-                ("DEVICE", self.device),
+                ("HALF", &self.name),
+                ("ID", &wire(&self.name)),
+                ("CHARS", &self.longest().to_string()),
+                ("DEVICE", &self.device),
                 ("CFG", &self.cfg.constant()),
                 ("CFG_ID", &self.cfg.id),
                 ("CFG_SHAPE", self.cfg.shape().trim_end()),
@@ -153,6 +159,12 @@ impl Stream<'_> {
                 ("CFG_PACK", &pack(self.cfg, "cfg_file.nibbles")),
             ],
         )
+    }
+
+    /// Characters of the longest name of a file that it answers; 16 at least.
+    fn longest(&self) -> usize {
+        let names = self.answers.iter().map(|answer| answer.exp.file.name.len() - ".tv".len());
+        names.max().unwrap_or(0).max(16)
     }
 
     /// The device's parameters as the package has them.
@@ -174,7 +186,7 @@ impl Stream<'_> {
     }
 
     fn cut_fields(&self) -> impl Iterator<Item = &Field<'_>> {
-        let stays = |id: &str| match self.name {
+        let stays = |id: &str| match self.name.as_str() {
             // Other registers would draw nothing.
             "words" => id != Role::TEST.pattern,
             _ => id.starts_with("box") || id.starts_with("edge") || id == "zero_area",

@@ -35,7 +35,8 @@ fn interface(files: Vec<FileLayout>) -> Interface {
     let clamp = ClampParameters { guard: 2, integer: 24, fraction: 13, mode: Clamp::Guard };
     let (set, none) = ("sgi-4k-g2".to_owned(), "no such device".to_owned());
     let (setup, engine, registers) = (Err(none.clone()), Err(none.clone()), Err(none));
-    Interface { set, model_version: 3, clamp, setup, engine, registers, files }
+    let units = Vec::new();
+    Interface { set, model_version: 3, clamp, setup, engine, registers, units, files }
 }
 
 fn text(interface: &Interface, name: &str) -> String {

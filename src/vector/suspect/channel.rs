@@ -1,7 +1,8 @@
 //! Suspects of channels: the faults that interpolators, reciprocal units and dividers usually have.
 
+use super::reciprocal::beyond;
 use super::{Suspect, Suspects};
-use crate::bits::Rounding;
+use crate::bits::{Rounding, bounded};
 use crate::format::Clamp;
 use crate::model::Model;
 use crate::profile::Profile;
@@ -36,7 +37,7 @@ impl Suspects for ChannelBench {
 }
 
 /// Profiles whose plane of 1/w differs in one thing.
-fn other_w(profile: &Profile) -> Vec<(String, Profile)> {
+pub(super) fn other_w(profile: &Profile) -> Vec<(String, Profile)> {
     let Some(w) = profile.w else { return Vec::new() };
     let mut list = Vec::new();
     let mut add = |what: String, w| list.push((what, Profile { w: Some(w), ..profile.clone() }));
@@ -56,7 +57,7 @@ fn other_w(profile: &Profile) -> Vec<(String, Profile)> {
 }
 
 /// Channels that differ in one thing, and what it is.
-fn changed(channel: &AttributeConfig) -> Vec<(String, AttributeConfig)> {
+pub(super) fn changed(channel: &AttributeConfig) -> Vec<(String, AttributeConfig)> {
     let mut list = Vec::new();
     let mut add = |what: String, change: &dyn Fn(&mut AttributeConfig)| {
         let mut other = channel.clone();
@@ -156,7 +157,7 @@ fn other_corrections(correction: &Correction) -> Vec<(String, Correction)> {
 }
 
 /// Reciprocal units with one fault.
-fn other_units(unit: &ReciprocalConfig) -> Vec<(String, ReciprocalConfig)> {
+pub(super) fn other_units(unit: &ReciprocalConfig) -> Vec<(String, ReciprocalConfig)> {
     let mut list = Vec::new();
     let Ok(ready) = unit.unit() else { return list };
     let with = |table: Vec<u32>| ReciprocalConfig { table: Some(table), ..unit.clone() };
@@ -189,10 +190,30 @@ fn other_units(unit: &ReciprocalConfig) -> Vec<(String, ReciprocalConfig)> {
         let none = ReciprocalConfig { refine: Refine::None, table: Some(table), ..unit.clone() };
         list.push(("the line between entries is missing".to_owned(), none));
     }
+    list.extend(other_ends(unit));
     let operand = unit.operand - 1;
     list.push((
         format!("the operand has {operand} bits"),
         ReciprocalConfig { operand, table: Some(ready.table().to_vec()), ..unit.clone() },
     ));
     list
+}
+
+/// The same unit with the entries of lines where it has none, or the other way round.
+fn other_ends(unit: &ReciprocalConfig) -> Option<(String, ReciprocalConfig)> {
+    if unit.table.is_some() {
+        return None;
+    }
+    let lines = unit.refine == Refine::Linear;
+    let refine = if lines { Refine::None } else { Refine::Linear };
+    let other = ReciprocalConfig { refine, ..unit.clone() }.unit().ok()?;
+    let mut table = other.table().to_vec();
+    let what = if lines {
+        table.push(bounded(beyond(unit.index, unit.entry)));
+        "the entries are those in the middle of the intervals"
+    } else {
+        table.pop();
+        "the entries are those at the lower ends of the intervals"
+    };
+    Some((what.to_owned(), ReciprocalConfig { table: Some(table), ..unit.clone() }))
 }

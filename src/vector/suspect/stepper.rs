@@ -57,6 +57,23 @@ pub(super) const EDGE: Names = Names {
     word: "the edge word",
 };
 
+/// The parts of an interpolator.
+const VALUE: Names = Names {
+    module: "interpolator",
+    operation: "operation of the interpolator",
+    operation_late: "the operation of the interpolator",
+    base: "first operand of the interpolator's adder",
+    addend: "second operand of the interpolator's adder",
+    addend_late: "the second operand of the interpolator's adder",
+    sum_late: "the sum in the interpolator",
+    steps: "what steps of the interpolator are",
+    init: "init in the interpolator",
+    dx: "dx in the interpolator",
+    dy: "dy in the interpolator",
+    adder: "the interpolator's adder",
+    word: "the accumulator",
+};
+
 /// A stepper.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Stepper {
@@ -79,6 +96,11 @@ impl Stepper {
     /// An edge stepper.
     pub(super) fn edge(width: u32) -> Self {
         Self { names: &EDGE, width, sticky: None }
+    }
+
+    /// An interpolator.
+    pub(super) fn value(width: u32) -> Self {
+        Self { names: &VALUE, width, sticky: None }
     }
 
     /// The word after a clock edge.
@@ -163,7 +185,8 @@ pub(super) fn read(path: &Path, format: ReadOut, word: i128) -> i128 {
     path.within(DEPTH.module, || read_out(path, format, word))
 }
 
-fn read_out(path: &Path, read: ReadOut, word: i128) -> i128 {
+/// What a read-out shows of an accumulator, in the module that the path is in.
+pub(super) fn read_out(path: &Path, read: ReadOut, word: i128) -> i128 {
     let (guard, integer, fraction) = (read.guard(), read.integer(), read.fraction());
     let bits = guard + integer;
     let half = if fraction > 0 { 1 << (fraction - 1) } else { 0 };

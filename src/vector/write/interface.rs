@@ -1,5 +1,7 @@
 //! What the generated files of a set depend on: read-out, set-up and engine, as the profile has them.
 
+mod units;
+
 use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule};
 use crate::format::{Clamp, ReadOut};
 use crate::machine::RegisterDevice;
@@ -11,6 +13,7 @@ use crate::vector::manifest::FileEntry;
 use crate::vector::package::{
     ClampParameters, EngineParameters, FileLayout, Interface, SetupParameters,
 };
+use units::units;
 
 /// What the generated files of a set depend on.
 pub(super) fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> Interface {
@@ -32,8 +35,8 @@ pub(super) fn interface(set: &str, profile: &Profile, files: &[FileEntry]) -> In
         })
         .collect();
     let (setup, engine, registers) = (setup(profile), engine(profile), registers(profile));
-    let set = set.to_owned();
-    Interface { set, model_version: MODEL_VERSION, clamp, setup, engine, registers, files }
+    let (set, units) = (set.to_owned(), units(profile));
+    Interface { set, model_version: MODEL_VERSION, clamp, setup, engine, registers, units, files }
 }
 
 /// What the devices that draw a profile are told.

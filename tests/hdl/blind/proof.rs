@@ -126,7 +126,7 @@ pub(crate) fn sampled(_: &str) {
     let devices = Devices::read(&set);
     std::fs::copy(set.join("dut.sv"), home.path().join("dut.sv")).unwrap();
     assert_eq!(probe::wrong(home.path(), &set), 0, "the set's own device");
-    let mut sample = Sample::new(&devices, seed);
+    let mut sample = Sample::new(&devices, seed, |_| true);
     let [mut proved, mut refuted, mut undecided, mut refused] = [0; 4];
     while proved + refuted + undecided + refused < count {
         let Some(mutant) = sample.draw() else { break };

@@ -18,9 +18,18 @@ const IN_STEPS: &str = "parameter int SERIAL = 1";
 
 impl Devices {
     pub(super) fn read(set: &Path) -> Self {
-        let shipped = std::fs::read_to_string(set.join("dut.sv")).unwrap();
-        assert_eq!(shipped.matches(AT_ONCE).count(), 1, "the set-up says it");
-        Self { shipped }
+        let devices = Self::of_units(set);
+        assert_eq!(devices.shipped.matches(AT_ONCE).count(), 1, "the set-up says it");
+        devices
+    }
+
+    /// Devices whose set-up is left alone.
+    pub(super) fn of_units(set: &Path) -> Self {
+        Self { shipped: std::fs::read_to_string(set.join("dut.sv")).unwrap() }
+    }
+
+    pub(super) fn names(&self) -> Vec<String> {
+        names(&self.shipped)
     }
 
     /// The sound devices of the mutant. A defect of the set-up meets the divider of hardware.
@@ -61,8 +70,11 @@ impl Devices {
     }
 
     /// The tops that have this module in them.
-    pub(super) fn tops<'a>(&self, module: &str, tops: &[&'a str]) -> Vec<&'a str> {
-        tops.iter().copied().filter(|top| self.has(top, module)).collect()
+    pub(super) fn tops<'a>(&self, module: &str, tops: &'a [String]) -> Vec<&'a str> {
+        // Of several sets, not each has every top.
+        let known = names(&self.shipped);
+        let tops = tops.iter().filter(|top| known.contains(top)).map(String::as_str);
+        tops.filter(|top| self.has(top, module)).collect()
     }
 
     fn has(&self, outer: &str, module: &str) -> bool {
@@ -94,8 +106,8 @@ pub(super) struct Sample {
 }
 
 impl Sample {
-    pub(super) fn new(devices: &Devices, seed: u64) -> Self {
-        let modules = names(&devices.shipped).into_iter().map(|name| {
+    pub(super) fn new(devices: &Devices, seed: u64, of: impl Fn(&str) -> bool) -> Self {
+        let modules = names(&devices.shipped).into_iter().filter(|name| of(name)).map(|name| {
             let (begin, end) = span(&devices.shipped, &name);
             (name, mutants(&Module::read(&devices.shipped[begin..end])))
         });

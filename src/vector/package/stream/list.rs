@@ -6,7 +6,9 @@ use crate::format::Role;
 use crate::machine::{QuadDevice, RegisterDevice, WiredDevice};
 use crate::vector::package::record::{Field, Record};
 use crate::vector::package::rtl::{self, Source, Values};
-use crate::vector::package::{EngineParameters, Interface, SetupParameters, wired};
+use crate::vector::package::{
+    EngineParameters, Interface, SetupParameters, UnitDevice, unit, wired,
+};
 
 /// What the summary's events look at is wider than any word of the engine: they are not compared.
 const EVENTS: [Role; 4] = [Role::WRAP, Role::CLAMP_ABOVE, Role::CLAMP_BELOW, Role::INEXACT];
@@ -33,7 +35,23 @@ pub(in crate::vector::package) fn streams<'a>(
         RegisterDevice::Quads(known) => quads(records, known),
         RegisterDevice::Wired(device) => wired_stream(records, device),
     });
-    setup.into_iter().chain(engine).chain(registers).collect()
+    let units = interface.units.iter().filter(|unit| unit.module != unit::INTERPOLATOR);
+    let units = units.filter_map(|unit| unit_stream(records, unit));
+    setup.into_iter().chain(engine).chain(registers).chain(units).collect()
+}
+
+/// The stream of a unit of channels: the columns are those of its files.
+fn unit_stream<'a>(records: &'a [Record<'a>], unit: &UnitDevice) -> Option<Stream<'a>> {
+    let exp = format!("{}.exp", unit.bench);
+    let inputs = columns(records, &format!("{}.cfg", unit.bench))?;
+    let answers = [(exp.as_str(), "o_", 0, columns(records, &exp)?)];
+    stream(records, &unit.bench, (&unit.device(), &[]), &inputs, &answers)
+}
+
+/// The names of the columns of a file.
+fn columns(records: &[Record], stem: &str) -> Option<Vec<String>> {
+    let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
+    Some(record.fields.iter().map(|field| field.column.name.clone()).collect())
 }
 
 /// Set-up words of edge functions and a depth plane.
@@ -99,13 +117,10 @@ fn quads<'a>(records: &'a [Record<'a>], known: &QuadDevice) -> Option<Stream<'a>
 
 /// The stream of a device that is wired for a built-in profile: the columns are those of its words.
 fn wired_stream<'a>(records: &'a [Record<'a>], device: &WiredDevice) -> Option<Stream<'a>> {
-    let columns = |stem: &str| {
-        let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
-        Some(record.fields.iter().map(|field| field.column.name.clone()).collect::<Vec<_>>())
-    };
+    let columns = |stem: &str| columns(records, stem);
     let kinds = [("words-s.exp", "span_"), ("words-p.exp", "p_")];
     let answers = kinds.map(|(stem, prefix)| Some((stem, prefix, 0, columns(stem)?)));
-    let answers: Vec<Wanted> = answers.into_iter().flatten().collect();
+    let answers: Vec<Wanted<'_>> = answers.into_iter().flatten().collect();
     let mut stream =
         stream(records, "words", wired::device(device.engine), &columns("words.cfg")?, &answers)?;
     stream.values = Values::listed(&device.values);
@@ -116,13 +131,13 @@ fn wired_stream<'a>(records: &'a [Record<'a>], device: &WiredDevice) -> Option<S
 }
 
 /// A device of `hdl` behind streams, and the modules that it is made of, itself last.
-type Device = (&'static str, &'static [&'static Source]);
+type Device<'n> = (&'n str, &'static [&'static Source]);
 
-const SETUP: Device = ("triangle_setup", &[&rtl::SETUP_DIVIDER, &rtl::TRIANGLE_SETUP]);
+const SETUP: Device<'static> = ("triangle_setup", &[&rtl::SETUP_DIVIDER, &rtl::TRIANGLE_SETUP]);
 /// The same in VHDL.
 const SETUP_VHDL: &[&Source] = &[&rtl::SETUP_DIVIDER_VHDL, &rtl::TRIANGLE_SETUP_VHDL];
 const ENGINE_VHDL: &[&Source] = &[&rtl::DDA_VHDL, &rtl::TRIANGLE_ENGINE_VHDL];
-const ENGINE: Device = (
+const ENGINE: Device<'static> = (
     "triangle_engine",
     &[
         &rtl::DDA,
@@ -133,19 +148,19 @@ const ENGINE: Device = (
     ],
 );
 
-const QUADS: Device = ("quad_engine", &[&rtl::QUAD_ENGINE]);
+const QUADS: Device<'static> = ("quad_engine", &[&rtl::QUAD_ENGINE]);
 
 /// A file that a device answers: its stem, what the names of the ports begin with, how many columns are
 /// its key, its columns.
-type Wanted = (&'static str, &'static str, usize, Vec<String>);
+type Wanted<'n> = (&'n str, &'static str, usize, Vec<String>);
 
 /// The stream of that name, if the set has its files with just these columns.
 fn stream<'a>(
     records: &'a [Record<'a>],
-    name: &'static str,
-    (device, parts): Device,
+    name: &str,
+    (device, parts): Device<'_>,
     inputs: &[String],
-    answers: &[Wanted],
+    answers: &[Wanted<'_>],
 ) -> Option<Stream<'a>> {
     let find = |stem: &str, columns: &[String]| {
         let record = records.iter().find(|record| record.file.name == format!("{stem}.tv"))?;
@@ -163,8 +178,8 @@ fn stream<'a>(
     let (values, of_files) = (Values::default(), Vec::new());
     let (any_order, renamed) = (false, None);
     Some(Stream {
-        name,
-        device,
+        name: name.to_owned(),
+        device: device.to_owned(),
         parts,
         entities: &[],
         values,
