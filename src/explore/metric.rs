@@ -356,4 +356,5 @@ pub fn all() -> impl Iterator<Item = Metric> {
 /// The names, for a message.
 pub fn names() -> String {
     all().map(|metric| metric.name).collect::<Vec<_>>().join(", ")
+        + ", and those of channels, such as color-worst or map-rms@1024"
 }

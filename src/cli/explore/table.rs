@@ -179,9 +179,25 @@ pub(crate) fn help() -> Result<Outcome, Failure> {
         };
         output.line(format!("  {:<16} {takes}", field.name()))?;
     }
+    for (name, takes) in [
+        (
+            "CHANNEL.FIELD",
+            "integer, interpolation, guard, rounding, clamp, operand, index, entry, step or coordinate of a channel of the profile",
+        ),
+        ("w.FIELD", "integer, interpolation, guard, rounding or clamp of 1/w"),
+    ] {
+        output.line(format!("  {name:<16} {takes}"))?;
+    }
     output.line("metrics (for --objective of explore, and --cost and --within of fit):")?;
     for metric in metric::all() {
         output.line(format!("  {:<28} {} ({})", metric.name, metric.about, metric.unit))?;
+    }
+    for (name, about) in [
+        ("CHANNEL-worst, -mean, -rms", "error of the codes of a channel of the profile (ULP)"),
+        ("CHANNEL-worst-world ...", "the same, as a part of the real number 1 (of 1)"),
+        ("CHANNEL-worst@1024 ...", "the same, in texels of a texture of that size (texels)"),
+    ] {
+        output.line(format!("  {name:<28} {about}"))?;
     }
     output.flush()?;
     Ok(Outcome::Good)
