@@ -14,7 +14,9 @@ mod edge_walk;
 mod edge_width;
 mod edge_word;
 mod guard;
+mod inverse_w;
 mod line;
+mod perspective;
 mod plane;
 mod profile;
 mod reciprocal;
@@ -38,6 +40,8 @@ pub fn all() -> Vec<Statement> {
         guard::statements(),
         wraparound::statements(),
         line::statements(),
+        perspective::statements(),
+        inverse_w::statements(),
         profile::statements(),
         depth_format::statements(),
     ]
