@@ -1,5 +1,5 @@
 //! The quads of a triangle: codes of a channel at covered pixels and at those that help them. Spec clause
-//! `CH-16`.
+//! `CH-20`.
 
 use super::{Drawing, Model, Span};
 use crate::machine::{Carrier, DrawError, Input};

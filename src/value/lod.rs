@@ -1,5 +1,5 @@
-//! Derivatives of codes in quads of pixels, and the level of detail of a texture. Spec clauses `CH-16` and
-//! `CH-17`.
+//! Derivatives of codes in quads of pixels, and the level of detail of a texture. Spec clauses `CH-20` and
+//! `CH-21`.
 
 use crate::bits::bounded;
 
@@ -28,7 +28,7 @@ pub enum Derivatives {
 }
 
 impl Quad {
-    /// The differences of one component at each pixel, to the right and downward. Spec clause `CH-16`.
+    /// The differences of one component at each pixel, to the right and downward. Spec clause `CH-20`.
     ///
     /// ```
     /// use guardbit::value::{Derivatives, Quad};
@@ -111,7 +111,7 @@ impl DetailConfig {
 
 impl Detail {
     /// The level, in units of `2^-fraction`, for the differences `[to the right, downward]` of the two
-    /// coordinates, of at most 33 bits each. Spec clause `CH-17`.
+    /// coordinates, of at most 33 bits each. Spec clause `CH-21`.
     ///
     /// ```
     /// use guardbit::value::{AxisLength, DetailConfig};

@@ -11,7 +11,7 @@ use guardbit::model::{Model, QuadError};
 use guardbit::value::{AxisLength, Correction, Derivatives, DetailConfig, Quad};
 use std::collections::BTreeSet;
 
-/// Clause CH-16: the pixels of a quad have the codes of the words, inside and outside of the triangle.
+/// Clause CH-20: the pixels of a quad have the codes of the words, inside and outside of the triangle.
 #[test]
 fn quads_have_the_codes_of_the_clauses() {
     let planes = ["edge-function", "edge-walk", "engine-per-pixel", "tiles", "homogeneous"];
@@ -54,7 +54,7 @@ fn quads_have_the_codes_of_the_clauses() {
     assert!(helpers > 500 && covered > 500, "{helpers} {covered}");
 }
 
-/// Clause CH-16: every quad of codes of two bits, signed: fine differences are those of the pixel's own row and
+/// Clause CH-20: every quad of codes of two bits, signed: fine differences are those of the pixel's own row and
 /// column, coarse ones those of the first, and both fit three bits.
 #[test]
 fn differences_are_those_of_rows_and_columns() {
@@ -73,7 +73,7 @@ fn differences_are_those_of_rows_and_columns() {
     }
 }
 
-/// Clause CH-17, as it is written.
+/// Clause CH-21, as it is written.
 fn level(config: &DetailConfig, d: [[i64; 2]; 2]) -> u64 {
     let scale = f64::from(1 << config.fraction);
     let cut = |v: f64| (v * scale).floor();
@@ -100,7 +100,7 @@ fn level(config: &DetailConfig, d: [[i64; 2]; 2]) -> u64 {
     (found - log(f64::from(config.unit))).clamp(0.0, most) as u64
 }
 
-/// Clause CH-17: every difference of codes of three bits, against the clause and against the exact level.
+/// Clause CH-21: every difference of codes of three bits, against the clause and against the exact level.
 #[test]
 fn levels_are_near_the_logarithm() {
     for length in [AxisLength::LargerAndHalf, AxisLength::Exact] {
@@ -125,7 +125,7 @@ fn levels_are_near_the_logarithm() {
     }
 }
 
-/// Clauses CH-16 and CH-17: what has no codes beyond the edge has no quads, and a unit has its ranges.
+/// Clauses CH-20 and CH-21: what has no codes beyond the edge has no quads, and a unit has its ranges.
 #[test]
 fn what_cannot_be_is_refused_by_name() {
     let case = case(1, false);
