@@ -3,12 +3,14 @@
 
 mod fill;
 mod primitive;
+mod quads;
 mod record;
 mod shading;
 mod walk;
 
 pub use fill::Raster;
 pub use primitive::{Primitive, PrimitiveError};
+pub use quads::QuadError;
 pub use record::{Drawing, Records, Span};
 pub use walk::Walk;
 

@@ -54,6 +54,11 @@ pub trait Carrier: Debug + Send + Sync {
 
     /// Sets a value up.
     fn carry(&self, value: &LinearValue<'_>, words: &CarriedWords) -> Box<dyn Carried>;
+
+    /// Whether the words give the value of any pixel, covered or not, wherever a run begins.
+    fn reaches_everywhere(&self) -> bool {
+        false
+    }
 }
 
 /// A linear value, set up.
@@ -91,6 +96,10 @@ impl Carrier for Planes {
 
     fn carry(&self, value: &LinearValue<'_>, words: &CarriedWords) -> Box<dyn Carried> {
         Box::new(plane(value, words))
+    }
+
+    fn reaches_everywhere(&self) -> bool {
+        true
     }
 }
 

@@ -40,7 +40,7 @@ fn malformed_channels_are_named() {
         ("components = [\"a\", \"b\"]", "components = []", "1 <= components <= 4"),
         ("components = [\"a\", \"b\"]", "components = [\"a\", \"a\"]", "given twice"),
         ("name = \"c\"", "name = \"C\"", "a-z"),
-        ("name = \"c\"", "name = \"setup\"", "in use"),
+        ("name = \"c\"", "name = \"setup\"", "stands for"),
         ("name = \"c\"\n", "name = \"c\"\nunit = 16\n", "1 <= unit <= 15"),
         ("name = \"c\"\n", "name = \"c\"\nstart-bias = \"half\"\n", "affine"),
         (
