@@ -7,7 +7,7 @@ use guardbit::scene::{self, Named, Primitive, Shading};
 use guardbit::setup::{ClipTriangle, Polygon};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyMapping};
 use std::collections::BTreeMap;
 
 /// A refusal as Python's ValueError.
@@ -116,12 +116,15 @@ fn shading(
         _ => "channels, q, w: only triangles under vertices or real have channels",
     };
     let Some(channels) = channels.filter(|_| text.is_empty()) else { return Err(refuse(text)) };
+    // Any mapping will do.
+    let given = PyDict::new(channels.py());
+    given.update(channels.cast::<PyMapping>()?)?;
     Ok(Some(if key == "vertices" {
         let inverse_w = q.map(|q| three("q", q)).transpose()?;
-        Shading::Codes { channels: named(channels.extract()?)?, inverse_w }
+        Shading::Codes { channels: named(given.extract()?)?, inverse_w }
     } else {
         let w = w.map(|w| three("w", w)).transpose()?;
-        Shading::Reals { channels: named(channels.extract()?)?, w }
+        Shading::Reals { channels: named(given.extract()?)?, w }
     }))
 }
 

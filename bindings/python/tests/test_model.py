@@ -1,6 +1,7 @@
 """The package: words as the model's, and refusals that say why."""
 
 from pathlib import Path
+from types import MappingProxyType
 
 import guardbit
 import pytest
@@ -87,6 +88,7 @@ def test_channels_have_a_code_at_each_place(channels):
         "texcoord": [[40]] * 6,
         "face": [[3]] * 6,
     }
+    assert channels.draw(CORNER, channels=MappingProxyType(CODES), q=Q).channels == drawing.channels
     assert channels.draw(CORNER).channels == {}
     nothing = channels.draw([(0, 0)] * 3, channels=CODES, q=Q)
     assert nothing.zero_area and nothing.channels == {"color": [], "texcoord": [], "face": []}
@@ -150,3 +152,5 @@ def test_wrong_types_are_type_errors():
 def test_codes_are_integers(channels):
     with pytest.raises(TypeError):
         channels.draw(CORNER, channels=CODES | {"face": [[0.5]] * 3}, q=Q)
+    with pytest.raises(TypeError):
+        channels.draw(CORNER, channels=[CODES], q=Q)
