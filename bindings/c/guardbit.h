@@ -90,6 +90,73 @@ int32_t guardbit_interface(void);
 int32_t guardbit_message(char *buffer, uintptr_t size);
 
 /*
+ Draws a triangle with channels. `numbers` has x, y of three vertices (`count` is 6) or x, y, z (9),
+ as `guardbit_draw_primitive` takes them. `codes` has the codes of the vertices in the order of
+ channel, component, vertex: r0 r1 r2 g0 g1 g2 and so on, `code_count` numbers, 3 for each component
+ of the profile (clause CH-2). A code of an unsigned channel of i bits is 0 to 2^i - 1, of a signed
+ one -2^(i-1) to 2^(i-1) - 1. `q` has the three codes of 1/w, 1 to 2^B - 1, where B is the `integer`
+ of `[w]` (clause CH-4). It may be null if no channel is corrected by it, and is ignored by a
+ profile without `[w]`. Returns the number of covered runs.
+
+ Another number of codes is `GUARDBIT_ARGUMENT`. A code outside its range, a q that is missing and
+ a profile without channels are `GUARDBIT_REFUSED`.
+
+ # Safety
+ `numbers` is null or leads to `count` numbers, `codes` is null or leads to `code_count` numbers,
+ `q` is null or leads to three numbers.
+ */
+int32_t guardbit_draw_shaded(int32_t model,
+                             const int64_t *numbers,
+                             uint32_t count,
+                             const int64_t *codes,
+                             uint32_t code_count,
+                             const int64_t *q);
+
+/*
+ How many channels the profile of a model has.
+ */
+int32_t guardbit_channels(int32_t model);
+
+/*
+ Copies the name of channel `index`, in the order of the profile, ended by a zero and cut to `size`
+ bytes; returns the number of its components.
+
+ # Safety
+ `name` is null or leads to `size` bytes.
+ */
+int32_t guardbit_channel(int32_t model, uint32_t index, char *name, uintptr_t size);
+
+/*
+ Copies the name of component `index` of a channel, ended by a zero and cut to `size` bytes.
+
+ # Safety
+ `name` is null or leads to `size` bytes.
+ */
+int32_t guardbit_component(int32_t model,
+                           uint32_t channel,
+                           uint32_t index,
+                           char *name,
+                           uintptr_t size);
+
+/*
+ How many codes of a channel the last drawing has: 0 if it was drawn without channels.
+ */
+int32_t guardbit_code_count(int32_t model, uint32_t channel);
+
+/*
+ Copies `count` codes of a channel of the last drawing from code `first` on: run by run, in the
+ order of pixel, sample, component (clause CH-7).
+
+ # Safety
+ `codes` is null or leads to `count` numbers.
+ */
+int32_t guardbit_codes(int32_t model,
+                       uint32_t channel,
+                       uint64_t first,
+                       uint32_t count,
+                       int64_t *codes);
+
+/*
  `guardbit_clock` for words as `std_logic_vector(127 downto 0)`, one byte a bit, the highest
  first; a bit that is neither 0 nor 1 is an error.
 

@@ -8,6 +8,7 @@
 //! Words are 128 bits wide, as four 32-bit parts from the low end: what DPI passes for
 //! `bit [127:0]`. The bits above a word's width are ignored on the way in and zero on the way out.
 
+mod channel;
 mod logic;
 mod model;
 mod primitive;
@@ -18,6 +19,10 @@ use std::cell::RefCell;
 use std::ffi::c_char;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+pub use channel::{
+    guardbit_channel, guardbit_channels, guardbit_code_count, guardbit_codes, guardbit_component,
+    guardbit_draw_shaded,
+};
 pub use logic::guardbit_clock_logic;
 pub use model::{
     guardbit_close, guardbit_column, guardbit_depth, guardbit_draw, guardbit_draw_primitive,
@@ -139,6 +144,26 @@ pub(crate) unsafe fn word_out(pointer: *mut u32, name: &str, word: u128) -> Resu
         let bytes = (word >> (32 * n)).to_le_bytes();
         *part = u32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
     }
+    Ok(())
+}
+
+/// Copies a name, ended by a zero and cut to `size` bytes.
+///
+/// # Safety
+/// The pointer is null or leads to `size` bytes.
+pub(crate) unsafe fn name_out(
+    pointer: *mut c_char,
+    size: usize,
+    name: &str,
+) -> Result<(), Failure> {
+    if pointer.is_null() || size == 0 {
+        return Err(null("name"));
+    }
+    let length = name.len().min(size - 1);
+    // SAFETY: not null, and the caller gives `size` bytes, of which `length + 1` are written.
+    let to = unsafe { std::slice::from_raw_parts_mut(pointer.cast::<u8>(), length + 1) };
+    to[..length].copy_from_slice(&name.as_bytes()[..length]);
+    to[length] = 0;
     Ok(())
 }
 

@@ -5,18 +5,18 @@ use crate::table::Table;
 use crate::walk::WALKS;
 use crate::{
     Failure, GUARDBIT_ARGUMENT, GUARDBIT_INTERNAL, GUARDBIT_PROFILE, GUARDBIT_REFUSED, answer,
-    null, numbers_in, word_out,
+    name_out, null, numbers_in, word_out,
 };
 use guardbit::bits::Width as _;
 use guardbit::model::{Drawing, Model, PrimitiveError, Records};
 use guardbit::profile;
-use guardbit::scene::{Primitive, Triangle};
+use guardbit::scene::{Primitive, Shading, Triangle};
 use std::ffi::{CStr, c_char};
 
 /// A model and its last drawing.
 pub(crate) struct Open {
     pub(crate) model: Model,
-    drawing: Drawing,
+    pub(crate) drawing: Drawing,
     records: Records,
 }
 
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn guardbit_draw(model: i32, vertices: *const i64) -> i32 
                 other => other,
             };
             let has_depth = open.model.depth().is_some();
-            open.draw(&Given::Primitive(if has_depth { primitive } else { flat(primitive) }))
+            open.draw(&Given::Primitive(if has_depth { primitive } else { flat(primitive) }), None)
         })
     })
 }
@@ -99,7 +99,7 @@ pub unsafe extern "C" fn guardbit_draw_primitive(
         // SAFETY: as the caller promises.
         let numbers = unsafe { numbers_in(numbers, count as usize, "numbers") }?;
         let given = given(kind, numbers)?;
-        MODELS.with(model, |open| open.draw(&given))
+        MODELS.with(model, |open| open.draw(&given, None))
     })
 }
 
@@ -143,14 +143,23 @@ pub unsafe extern "C" fn guardbit_record(
 }
 
 impl Open {
-    /// Draws, and keeps what was drawn; nothing is kept of what is refused.
-    fn draw(&mut self, given: &Given) -> Result<i32, Failure> {
+    /// Draws, with what the vertices bring for channels, and keeps what was drawn; nothing is kept of
+    /// what is refused.
+    pub(crate) fn draw(
+        &mut self,
+        given: &Given,
+        shading: Option<&Shading>,
+    ) -> Result<i32, Failure> {
         self.drawing.clear();
         self.records = Records::up_to(Records::MOST);
         let drawn = match given {
             Given::Primitive(primitive) => self
                 .model
                 .prepare(primitive)
+                .and_then(|primitive| match shading {
+                    Some(shading) => self.model.shade(primitive, shading),
+                    None => Ok(primitive),
+                })
                 .and_then(|primitive| Ok(self.model.draw(&primitive, &mut self.drawing)?)),
             Given::Words(_) if self.model.registers().is_none() => Err(PrimitiveError::NoRegisters),
             Given::Words(words) => {
@@ -176,7 +185,7 @@ impl Open {
 }
 
 /// A number of things as an answer.
-fn count(length: usize, what: &str) -> Result<i32, Failure> {
+pub(crate) fn count(length: usize, what: &str) -> Result<i32, Failure> {
     let most = i32::MAX;
     i32::try_from(length).map_err(|_| {
         let text = format!("{length} {what} are more than the {most} that can be answered");
@@ -273,24 +282,18 @@ pub unsafe extern "C" fn guardbit_column(
     size: usize,
 ) -> i32 {
     answer(|| {
-        if name.is_null() || size == 0 {
-            return Err(null("name"));
-        }
         MODELS.with(model, |open| {
             let columns = &open.model.ports().setup;
             let none = || few("index", index.into(), columns.len(), "set-up columns");
             let column = columns.get(index as usize).ok_or_else(none)?;
-            let length = column.name.len().min(size - 1);
-            // SAFETY: not null, and the caller gives `size` bytes.
-            let name = unsafe { std::slice::from_raw_parts_mut(name.cast::<u8>(), length + 1) };
-            name[..length].copy_from_slice(&column.name.as_bytes()[..length]);
-            name[length] = 0;
+            // SAFETY: as the caller promises.
+            unsafe { name_out(name, size, &column.name) }?;
             count(column.width as usize, "bits")
         })
     })
 }
 
-fn few(name: &str, got: u64, have: usize, what: &str) -> Failure {
+pub(crate) fn few(name: &str, got: u64, have: usize, what: &str) -> Failure {
     let text = format!("{name} = {got}: there are {have} {what}");
     Failure::new(GUARDBIT_ARGUMENT, text)
 }

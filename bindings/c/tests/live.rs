@@ -57,6 +57,9 @@ fn good(folder: &Path, program: &str, arguments: &[&str]) -> String {
 
 fn c(compiler: &str) {
     let home = tempfile::tempdir().unwrap();
+    let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
+    let channels = std::fs::read_to_string(here("tests/channels.toml")).unwrap();
+    std::fs::write(home.path().join("channels.toml"), tiny + "\n" + &channels).unwrap();
     let archive = library("libguardbit_c.a").display().to_string();
     let include = here("");
     let source = here("tests/wrong.c");

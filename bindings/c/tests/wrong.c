@@ -54,6 +54,58 @@ static void primitives(void) {
     EXPECT(guardbit_close(psp), 0, "");
 }
 
+/* Channels of channels.toml: color (r, g) affine, texcoord (u) by quotient, face (id) of the last vertex. */
+static void channels(void) {
+    int64_t corner[9] = {0, 0, 0, 8, 0, 0, 0, 8, 0}, flat[6] = {0, 0, 8, 0, 0, 8};
+    int64_t codes[12] = {0, 8, 16, 8, 8, 8, 40, 40, 40, 1, 2, 3}, q[3] = {255, 128, 64};
+    int64_t far[12] = {0, 8, 256, 8, 8, 8, 40, 40, 40, 1, 2, 3}, zero[3] = {255, 0, 64};
+    /* r is x + 2 y in half pixels, at samples 1, 3, 5. */
+    int64_t color[12] = {3, 8, 5, 8, 7, 8, 7, 8, 9, 8, 11, 8}, got[12];
+    int32_t model = guardbit_open("channels.toml"), tiny = guardbit_open("tiny"), n;
+    char name[16];
+
+    IS(guardbit_channels(model), 3);
+    IS(guardbit_channels(tiny), 0);
+    IS(guardbit_channel(model, 0, name, sizeof name), 2);
+    if (strcmp(name, "color")) failed = 1, printf("channel %s\n", name);
+    EXPECT(guardbit_component(model, 0, 1, name, sizeof name), 0, "");
+    if (strcmp(name, "g")) failed = 1, printf("component %s\n", name);
+    IS(guardbit_draw_shaded(model, corner, 9, codes, 12, q), 3);
+    IS(guardbit_code_count(model, 0), 12);
+    IS(guardbit_code_count(model, 2), 6);
+    EXPECT(guardbit_codes(model, 0, 0, 12, got), 0, "");
+    if (memcmp(got, color, sizeof color)) failed = 1, printf("not x + 2 y\n");
+    EXPECT(guardbit_codes(model, 1, 0, 6, got), 0, "");
+    for (n = 0; n < 6; n++) IS((int32_t)got[n], 40);
+    EXPECT(guardbit_codes(model, 2, 1, 5, got), 0, "");
+    for (n = 0; n < 5; n++) IS((int32_t)got[n], 3);
+    EXPECT(guardbit_codes(model, 2, 2, 5, got), GUARDBIT_ARGUMENT, "there are 6 codes");
+    EXPECT(guardbit_codes(model, 3, 0, 1, got), GUARDBIT_ARGUMENT, "there are 3 channels");
+    EXPECT(guardbit_codes(model, 0, 0, 1, 0), GUARDBIT_NULL, "codes");
+    EXPECT(guardbit_code_count(model, 3), GUARDBIT_ARGUMENT, "channel = 3");
+    EXPECT(guardbit_channel(model, 3, name, sizeof name), GUARDBIT_ARGUMENT, "index = 3");
+    EXPECT(guardbit_channel(model, 0, 0, 0), GUARDBIT_NULL, "name");
+    EXPECT(guardbit_component(model, 1, 1, name, sizeof name), GUARDBIT_ARGUMENT, "there are 1 components");
+    EXPECT(guardbit_draw_shaded(model, corner, 9, codes, 11, q), GUARDBIT_ARGUMENT, "12 codes are needed");
+    EXPECT(guardbit_draw_shaded(model, corner, 8, codes, 12, q), GUARDBIT_ARGUMENT, "6 or 9 numbers");
+    EXPECT(guardbit_draw_shaded(model, 0, 9, codes, 12, q), GUARDBIT_NULL, "numbers");
+    EXPECT(guardbit_draw_shaded(model, corner, 9, 0, 12, q), GUARDBIT_NULL, "codes");
+    IS(guardbit_code_count(model, 0), 12);
+    EXPECT(guardbit_draw_shaded(model, corner, 9, codes, 12, 0), GUARDBIT_REFUSED, "each vertex needs its 1/w");
+    IS(guardbit_code_count(model, 0), 0);
+    EXPECT(guardbit_draw_shaded(model, corner, 9, far, 12, q), GUARDBIT_REFUSED, "r = 256: 0 <= r <= 255");
+    EXPECT(guardbit_draw_shaded(model, corner, 9, codes, 12, zero), GUARDBIT_REFUSED, "q = 0: 1 <= q <= 255");
+    EXPECT(guardbit_draw_shaded(tiny, corner, 9, codes, 12, q), GUARDBIT_REFUSED, "no [[channel]]");
+    EXPECT(guardbit_draw_shaded(0, corner, 9, codes, 12, q), GUARDBIT_HANDLE, "no handle");
+    IS(guardbit_draw_shaded(model, flat, 6, codes, 12, q), 3);
+    IS(guardbit_code_count(model, 0), 12);
+    /* Drawn without channels. */
+    IS(guardbit_draw(model, corner), 3);
+    IS(guardbit_code_count(model, 0), 0);
+    EXPECT(guardbit_close(model), 0, "");
+    EXPECT(guardbit_close(tiny), 0, "");
+}
+
 int main(void) {
     uint32_t word[4] = {1, 0, 0, 0}, acc[4], out[4], run[3];
     uint64_t acc64, out64, depth[4];
@@ -105,6 +157,7 @@ int main(void) {
     EXPECT(guardbit_close(0), GUARDBIT_HANDLE, "no handle");
     EXPECT(guardbit_close(-7), GUARDBIT_HANDLE, "no handle");
     primitives();
+    channels();
     if (!failed) printf("PASS\n");
     return failed;
 }

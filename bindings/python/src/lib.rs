@@ -3,10 +3,12 @@
 use guardbit::dda::Op;
 use guardbit::model::{Drawing, Records};
 use guardbit::profile;
-use guardbit::scene::{self, Primitive};
+use guardbit::scene::{self, Named, Primitive, Shading};
 use guardbit::setup::{ClipTriangle, Polygon};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyMapping};
+use std::collections::BTreeMap;
 
 /// A refusal as Python's ValueError.
 fn refuse(error: impl ToString) -> PyErr {
@@ -64,6 +66,68 @@ fn clip(vertices: &[Vec<i128>]) -> PyResult<Primitive> {
     Ok(Primitive::Clip(ClipTriangle { xyw, z }))
 }
 
+/// Values by name, components by vertex as they are given, turned to one list a component.
+fn named<T: Copy>(channels: BTreeMap<String, Vec<Vec<T>>>) -> PyResult<Named<T>> {
+    let channel = |(name, vertices): (String, Vec<Vec<T>>)| {
+        let [a, b, c] = vertices.as_slice() else {
+            let got = vertices.len();
+            return Err(refuse(format!("channels.{name}: 3 vertices are needed, got {got}")));
+        };
+        let first = a.len();
+        if let Some(n) = vertices.iter().position(|vertex| vertex.len() != first) {
+            let got = vertices[n].len();
+            return Err(refuse(format!(
+                "channels.{name}[{n}]: {got} components, but vertex 0 has {first}; give the same components for all vertices"
+            )));
+        }
+        let components = a.iter().zip(b).zip(c).map(|((a, b), c)| [*a, *b, *c]);
+        Ok((name, components.collect()))
+    };
+    channels.into_iter().map(channel).collect()
+}
+
+/// A number for each vertex.
+fn three<T: Copy>(name: &str, values: &[T]) -> PyResult<[T; 3]> {
+    values.try_into().map_err(|_| {
+        let got = values.len();
+        refuse(format!("{name}: 3 values are needed, one for each vertex, got {got}"))
+    })
+}
+
+/// What the vertices bring for channels, if anything: codes beside `vertices`, reals beside `real`.
+fn shading(
+    key: &str,
+    channels: Option<Bound<'_, PyAny>>,
+    q: Option<&[i128]>,
+    w: Option<&[f64]>,
+) -> PyResult<Option<Shading>> {
+    let text = match (key, &channels, q, w) {
+        (_, None, None, None) => return Ok(None),
+        ("vertices", _, _, Some(_)) => {
+            "w: beside vertices, give q: it has codes of 1/w, and w has distances from the eye"
+        }
+        ("real", _, Some(_), _) => {
+            "q: beside real, give w: it has distances from the eye, and q has codes of 1/w"
+        }
+        ("vertices" | "real", None, ..) => {
+            "q or w is given, but no channels; give the channels that need it, or leave it out"
+        }
+        ("vertices" | "real", ..) => "",
+        _ => "channels, q, w: only triangles under vertices or real have channels",
+    };
+    let Some(channels) = channels.filter(|_| text.is_empty()) else { return Err(refuse(text)) };
+    // Any mapping will do.
+    let given = PyDict::new(channels.py());
+    given.update(channels.cast::<PyMapping>()?)?;
+    Ok(Some(if key == "vertices" {
+        let inverse_w = q.map(|q| three("q", q)).transpose()?;
+        Shading::Codes { channels: named(given.extract()?)?, inverse_w }
+    } else {
+        let w = w.map(|w| three("w", w)).transpose()?;
+        Shading::Reals { channels: named(given.extract()?)?, w }
+    }))
+}
+
 #[pyclass(frozen)]
 struct Model(guardbit::model::Model);
 
@@ -72,6 +136,7 @@ struct Model(guardbit::model::Model);
 struct Answer {
     rows: Vec<(u32, u32, u32)>,
     z: Vec<u64>,
+    channels: Py<PyDict>,
     setup: Vec<(String, u128)>,
     zero_area: bool,
 }
@@ -89,32 +154,55 @@ impl Model {
         &self.0.profile().name
     }
 
-    #[pyo3(signature = (vertices=None, *, real=None, line=None, point=None, polygon=None, clip=None))]
+    /// Components by the names of the channels.
+    #[getter]
+    fn channels<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let channels = PyDict::new(py);
+        for channel in &self.0.profile().channel {
+            channels.set_item(&channel.name, &channel.components)?;
+        }
+        Ok(channels)
+    }
+
+    #[pyo3(signature = (
+        vertices=None, *, real=None, line=None, point=None, polygon=None, clip=None,
+        channels=None, q=None, w=None,
+    ))]
+    #[expect(clippy::too_many_arguments, reason = "each is a keyword of Python")]
     fn draw(
         &self,
+        py: Python<'_>,
         vertices: Option<Vec<Vec<i128>>>,
         real: Option<Vec<Vec<f64>>>,
         line: Option<[[i128; 2]; 2]>,
         point: Option<[i128; 2]>,
         polygon: Option<Vec<Vec<i128>>>,
         clip: Option<Vec<Vec<i128>>>,
+        channels: Option<Bound<'_, PyAny>>,
+        q: Option<Vec<i128>>,
+        w: Option<Vec<f64>>,
     ) -> PyResult<Answer> {
         // Depth of a triangle is ignored without depth, as it always was; elsewhere it is refused.
         let has_depth = self.0.depth().is_some();
         let given = [
-            vertices.map(|v| triangle("vertices", &v, has_depth, integers)).transpose()?,
-            real.map(|v| triangle("real", &v, has_depth, reals)).transpose()?,
-            line.map(Primitive::Line),
-            point.map(Primitive::Point),
-            polygon.map(|v| self::polygon(&v)).transpose()?,
-            clip.map(|v| self::clip(&v)).transpose()?,
+            ("vertices", vertices.map(|v| triangle("vertices", &v, has_depth, integers))),
+            ("real", real.map(|v| triangle("real", &v, has_depth, reals))),
+            ("line", line.map(|ends| Ok(Primitive::Line(ends)))),
+            ("point", point.map(|point| Ok(Primitive::Point(point)))),
+            ("polygon", polygon.map(|v| self::polygon(&v))),
+            ("clip", clip.map(|v| self::clip(&v))),
         ];
-        let mut given = given.into_iter().flatten();
-        let (Some(primitive), None) = (given.next(), given.next()) else {
+        let mut given = given.into_iter().filter_map(|(key, made)| Some((key, made?)));
+        let (Some((key, primitive)), None) = (given.next(), given.next()) else {
             let text = "exactly one of vertices, real, line, point, polygon, clip is needed";
             return Err(refuse(text));
         };
-        let primitive = self.0.prepare(&primitive).map_err(refuse)?;
+        let primitive = self.0.prepare(&primitive?).map_err(refuse)?;
+        let shading = shading(key, channels, q.as_deref(), w.as_deref())?;
+        let primitive = match &shading {
+            Some(shading) => self.0.shade(primitive, shading).map_err(refuse)?,
+            None => primitive,
+        };
         let mut drawing = Drawing::default();
         self.0.draw(&primitive, &mut drawing).map_err(refuse)?;
         let ports = self.0.ports();
@@ -123,12 +211,20 @@ impl Model {
             [] => Vec::new(),
             values => ports.words(values).map_err(refuse)?,
         };
+        let codes = PyDict::new(py);
+        for (n, port) in ports.channels.iter().enumerate().filter(|_| shading.is_some()) {
+            // A triangle that covers nothing has no codes.
+            let held = drawing.channels.get(n).map_or(&[][..], Vec::as_slice);
+            let places: Vec<&[i64]> = held.chunks(port.components.len()).collect();
+            codes.set_item(&port.name, places)?;
+        }
         let names = ports.setup.iter().map(|column| column.name.clone());
         let setup = names.zip(words.into_iter().map(|word| word.to_bits()));
         Ok(Answer {
             rows: drawing.spans.iter().map(|span| (span.y, span.x0, span.x1)).collect(),
             setup: setup.collect(),
             z: drawing.depth,
+            channels: codes.unbind(),
             zero_area: drawing.zero_area,
         })
     }

@@ -1,7 +1,24 @@
 """The package: words as the model's, and refusals that say why."""
 
+from pathlib import Path
+from types import MappingProxyType
+
 import guardbit
 import pytest
+
+ROOT = Path(__file__).parents[3]
+CORNER = [(0, 0), (8, 0), (0, 8)]
+Q = [255, 128, 64]
+CODES = {"color": [[0, 8], [8, 8], [16, 8]], "texcoord": [[40]] * 3, "face": [[1], [2], [3]]}
+
+
+@pytest.fixture
+def channels(tmp_path):
+    """`tiny` with the channels color (r, g) affine, texcoord (u) by quotient, face (id) of the last vertex."""
+    parts = [ROOT / "profiles/tiny.toml", ROOT / "bindings/c/tests/channels.toml"]
+    path = tmp_path / "channels.toml"
+    path.write_text("\n".join(part.read_text() for part in parts))
+    return guardbit.Model(str(path))
 
 
 def test_a_triangle_is_drawn():
@@ -59,6 +76,58 @@ def test_registers_are_drawn():
     assert [words[0] & 0xFFFF for _, words in records] == [4, 5, 4]
 
 
+def test_channels_have_a_code_at_each_place(channels):
+    assert list(channels.channels.items()) == [("color", ["r", "g"]), ("texcoord", ["u"]), ("face", ["id"])]
+    assert guardbit.Model("tiny").channels == {}
+    drawing = channels.draw(CORNER, channels=CODES, q=Q)
+    assert drawing.rows == [(0, 0, 3), (1, 0, 2), (2, 0, 1)]
+    # In half pixels the samples are at 1, 3, 5, and r is x + 2 y there.
+    at = [(1, 1), (3, 1), (5, 1), (1, 3), (3, 3), (1, 5)]
+    assert drawing.channels == {
+        "color": [[x + 2 * y, 8] for x, y in at],
+        "texcoord": [[40]] * 6,
+        "face": [[3]] * 6,
+    }
+    assert channels.draw(CORNER, channels=MappingProxyType(CODES), q=Q).channels == drawing.channels
+    assert channels.draw(CORNER).channels == {}
+    nothing = channels.draw([(0, 0)] * 3, channels=CODES, q=Q)
+    assert nothing.zero_area and nothing.channels == {"color": [], "texcoord": [], "face": []}
+
+
+def test_channels_of_reals_are_rounded_once(channels):
+    values = {"color": [[0, 0], [1, 0], [0, 1]], "texcoord": [[0.5]] * 3, "face": [[0], [0], [1.0]]}
+    drawing = channels.draw(real=[(0, 0), (4, 0), (0, 4)], channels=values, w=[1, 2, 4])
+    # 255 / 8 = 31.875 a half pixel; 127.5 to even is 128.
+    assert drawing.channels["color"][:3] == [[32, 32], [96, 32], [159, 32]]
+    assert drawing.channels["texcoord"] == [[128]] * 6
+    assert drawing.channels["face"] == [[255]] * 6
+
+
+@pytest.mark.parametrize(
+    "change, says",
+    [
+        ({"q": None}, "texcoord.* each vertex needs its 1/w"),
+        ({"q": [255, 0, 64]}, "vertex 1: q = 0: 1 <= q <= 255"),
+        ({"q": [255]}, "q: 3 values are needed"),
+        ({"q": None, "w": [1, 2, 4]}, "beside vertices, give q"),
+        ({"channels": None}, "no channels"),
+        ({"channels": CODES | {"face": [[1], [2]]}}, "channels.face: 3 vertices are needed, got 2"),
+        ({"channels": CODES | {"face": [[1], [2], []]}}, r"channels.face\[2\]: 0 components, but vertex 0 has 1"),
+        ({"channels": CODES | {"face": [[1, 1]] * 3}}, "2 components are given, but the profile has 1"),
+        ({"channels": CODES | {"face": [[1], [256], [3]]}}, "vertex 1: id = 256: 0 <= id <= 255"),
+        ({"channels": CODES | {"fase": [[1]] * 3}}, "fase.* is unknown"),
+        ({"channels": {"color": CODES["color"]}}, "no values for the channel \"texcoord\""),
+        ({"vertices": None, "line": [(1, 1), (5, 1)]}, "only triangles"),
+        ({"vertices": None, "real": [(0, 0), (4, 0), (0, 4)]}, "beside real, give w"),
+    ],
+)
+def test_wrong_channels_are_refused(channels, change, says):
+    with pytest.raises(ValueError, match=says):
+        channels.draw(**({"vertices": CORNER, "channels": CODES, "q": Q} | change))
+    with pytest.raises(ValueError, match=r"has no \[\[channel\]\]"):
+        guardbit.Model("tiny").draw(CORNER, channels=CODES, q=Q)
+
+
 @pytest.mark.parametrize(
     "call, says",
     [
@@ -78,3 +147,10 @@ def test_what_is_wrong_is_said(call, says):
 def test_wrong_types_are_type_errors():
     with pytest.raises(TypeError):
         guardbit.Model("tiny").draw([(0.5, 0, 0), (8, 0, 7), (0, 8, 7)])
+
+
+def test_codes_are_integers(channels):
+    with pytest.raises(TypeError):
+        channels.draw(CORNER, channels=CODES | {"face": [[0.5]] * 3}, q=Q)
+    with pytest.raises(TypeError):
+        channels.draw(CORNER, channels=[CODES], q=Q)
