@@ -114,8 +114,8 @@ fn main() {
         settler().trial("the_mutation_recipe_says_what_is_missing", recipe::says_what_is_missing),
         settler().soak_trial("the_mutation_recipe_scores_our_devices", recipe::scores_our_devices),
         ICARUS.trial("mutants_are_the_textbooks", blind::textbook::mutants_of_a_small_module),
-        settler().soak_trial("a_blind_sample_of_mutants_is_killed", blind::sampled),
         // Minutes each: for who changes what they try.
+        settler().soak_trial("long_blind_sample_of_mutants", blind::sampled),
         ICARUS.soak_trial("long_defects_of_register_devices", register::wired_defects),
         VERILATOR.soak_trial("long_verilator_runs_a_million_vectors", bench::verilator),
         ICARUS.soak_trial("long_defects_of_units_of_channels", mutant::of_channels),
