@@ -128,6 +128,15 @@ fn every_single_change_is_caught_and_its_place_named() {
 /// What a forger does to a manifest.
 type Change<'a> = &'a dyn Fn(&mut Manifest);
 
+/// Clause N-7: a bench without files in the operand form has its coverage in the manifest all the same.
+#[test]
+fn sets_in_the_operand_form_recompute() {
+    let format = guardbit::vector::table::RowFormat::TestFloat;
+    let golden = write_set(&profile("tiny"), "triangle", &Options { format, ..options(800) });
+    let recompute = CheckOptions { recompute: true, ..CheckOptions::default() };
+    assert_eq!(checked(&golden.folder(), recompute).unwrap().findings, []);
+}
+
 #[test]
 fn recomputing_sees_through_a_manifest_made_to_fit() {
     // Whoever edits the rows and mends digest and counts, too, meets the model.

@@ -116,7 +116,10 @@ pub(super) fn recompute(
         let specs = files(&*bench, format);
         let names: Vec<String> =
             specs.iter().map(|spec| file_name(&spec.stem, format, zstd)).collect();
-        if !names.iter().any(|name| wanted(name)) {
+        // A bench without files in this format has its coverage in the manifest all the same.
+        let concerned =
+            if names.is_empty() { everything } else { names.iter().any(|name| wanted(name)) };
+        if !concerned {
             continue;
         }
         let mut output = CompareOutput { zstd, files: Vec::new() };
