@@ -63,22 +63,20 @@ fn bits() -> Vec<Statement> {
     vec![
         Statement::exact(
             "inverse-w.vertex-bits",
-            "fewest bits B of a code of 1/w (`CH-4`) with which its rounding moves no value of an edge by \
-             half a code, and in brackets where u (1 - u) W 2^i / (2 (2^B - 1)) < 1/2 is certain, W = 8, u \
-             (1 - u) <= 1/4; for colours of 8 bits and texture coordinates of 10, every w ratio from 1 to \
-             8 by 1/16, every 1/64 of the edge",
-            "8: 9 (10), 10: 11 (12)",
-            || [8, 10].map(vertex_bits).join(", "),
+            "fewest bits B of a code of 1/w (`CH-4`) with u (1 - u) W 2^i / (2 (2^B - 1)) < 1/2, W = 8, u (1 - u) \
+             <= 1/4, and how many values of an edge its rounding then moves by half a code; for colours of 8 bits \
+             and texture coordinates of 10, every w ratio from 1 to 8 by 1/16, every 1/64 of the edge",
+            "8: 10 bits, 0; 10: 12 bits, 0",
+            || [8, 10].map(vertex_bits).join("; "),
         ),
         Statement::exact(
             "inverse-w.fraction-bits",
-            "fewest bits below the point of the word of 1/w (`CH-5`) with which every code of a \
-             triangle differs from the exact value by less than 1: triangle (0,0) (15,2) (3,13), 1/w = \
-             1/2 or 1/16 and the least or the largest code at each vertex, 24 bits below the point of \
-             u/w; in brackets, the fewest with which the bound of `CH-14` is below 1; codes of 8 and of 10 \
-             bits",
-            "8: 16 (17), 10: 18 (19)",
-            || [8, 10].map(fraction_bits).join(", "),
+            "fewest bits below the point of the word of 1/w (`CH-5`) with which the bound of `CH-14` is below 1, \
+             and how many codes are then off by 1 or more: triangle (0,0) (15,2) (3,13), 1/w = 1/2 or 1/16 \
+             and the least or the largest code at each vertex, 24 bits below the point of u/w; codes of 8 and \
+             of 10 bits",
+            "8: 17 bits, 0; 10: 19 bits, 0",
+            || [8, 10].map(fraction_bits).join("; "),
         ),
         Statement::exact(
             "inverse-w.walk",
@@ -106,24 +104,21 @@ fn walked(n: i128) -> String {
 
 fn vertex_bits(integer_bits: u32) -> String {
     let top = (1 << integer_bits) - 1;
-    let holds = |bits: &u32| {
-        let near = (1i128 << bits) - 1;
-        (16..=128).all(|w: i128| {
-            let far = Rounding::NearestEven.divide(near * 16, w).map_or(0, |(code, _)| code);
-            (0..=64).all(|t: i128| {
-                // t / w over (64 - t) / 16 + t / w, against the same with codes.
-                let (exact, whole) = (16 * t, (64 - t) * w + 16 * t);
-                let (got, codes) = (far * t, near * (64 - t) + far * t);
-                2 * top * (exact * codes - got * whole).abs() < whole * codes
-            })
-        })
+    let certain = |bits: &u32| 8 << integer_bits < 4 * ((1i128 << bits) - 1);
+    let Some(bits) = (1..20).find(certain) else { return "none".to_owned() };
+    let near = (1i128 << bits) - 1;
+    let moved = |w: i128| {
+        let far = Rounding::NearestEven.divide(near * 16, w).map_or(0, |(code, _)| code);
+        let moves = |t: &i128| {
+            // t / w over (64 - t) / 16 + t / w, against the same with codes.
+            let (exact, whole) = (16 * t, (64 - t) * w + 16 * t);
+            let (got, codes) = (far * t, near * (64 - t) + far * t);
+            2 * top * (exact * codes - got * whole).abs() >= whole * codes
+        };
+        (0..=64).filter(moves).count()
     };
-    let certain = |bits: &u32| 8 << integer_bits < 4 * ((1 << bits) - 1);
-    let least = |found: &dyn Fn(&u32) -> bool| {
-        // The fewest with which it holds, and with all more.
-        (1..20).rev().take_while(|bits| found(bits)).last().unwrap_or(0)
-    };
-    format!("{integer_bits}: {} ({})", least(&holds), least(&certain))
+    let moved: usize = (16..=128).map(moved).sum();
+    format!("{integer_bits}: {bits} bits, {moved}")
 }
 
 const B: u32 = 4;
@@ -185,27 +180,26 @@ fn fraction_bits(integer: u32) -> String {
     let choose = |n: usize, [low, high]: [i128; 2]| {
         [0, 1, 2].map(|k| if n >> k & 1 == 0 { low } else { high })
     };
-    let holds = |fraction: u32| {
-        let Some(corrector) = corrector(integer, fraction) else { return false };
-        (0..64).all(|n| {
-            let (q, u) = (choose(n, [1, 8]), choose(n >> 3, [0, (1 << integer) - 1]));
-            let weighed = [0, 1, 2].map(|k| u[k] * q[k]);
-            let over = plane(&triangle, weighed, B, F);
-            let inverse = plane(&triangle, q, 0, fraction);
-            let exact = [weighed, q].map(|values| Gradient::new(&triangle, values));
-            points.iter().all(|[x, y]| {
-                let code = corrector.divided(over.at(*x, *y).raw(), inverse.at(*x, *y).raw());
-                let [above, below] = exact.map(|gradient| gradient.numerator([*x, *y]));
-                (i128::from(code) * below - above).abs() < below
-            })
-        })
-    };
-    let least = (0..24).rev().take_while(|fraction| holds(*fraction)).last();
     // The farthest sample is (15, 2): 18 roundings of half a unit in each plane; 1/w >= 1/16.
-    let bound = |n: u32| {
+    let bound = |n: &u32| {
         let e = 9i128 << (F - n);
         2 * (9 + ((1 << integer) - 1) * e) < (1 << (F - 4)) - e
     };
-    let (least, bound) = (least.map_or(0, |least| B + least), (B..F).find(|n| bound(*n)));
-    format!("{integer}: {least} ({})", bound.unwrap_or(0))
+    let Some(bits) = (B..F).find(bound) else { return "none".to_owned() };
+    let Some(corrector) = corrector(integer, bits - B) else { return "none".to_owned() };
+    let off = |n: usize| {
+        let (q, u) = (choose(n, [1, 8]), choose(n >> 3, [0, (1 << integer) - 1]));
+        let weighed = [0, 1, 2].map(|k| u[k] * q[k]);
+        let over = plane(&triangle, weighed, B, F);
+        let inverse = plane(&triangle, q, 0, bits - B);
+        let exact = [weighed, q].map(|values| Gradient::new(&triangle, values));
+        let is_off = |[x, y]: &&[i128; 2]| {
+            let code = corrector.divided(over.at(*x, *y).raw(), inverse.at(*x, *y).raw());
+            let [above, below] = exact.map(|gradient| gradient.numerator([*x, *y]));
+            (i128::from(code) * below - above).abs() >= below
+        };
+        points.iter().filter(is_off).count()
+    };
+    let off: usize = (0..64).map(off).sum();
+    format!("{integer}: {bits} bits, {off}")
 }
