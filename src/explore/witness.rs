@@ -6,7 +6,8 @@ use super::sweep::{self, Sweep};
 use super::tolerance::{Tolerance, exceeded};
 use crate::bits::Event;
 use crate::measure::accuracy::{
-    Drawn, Inspected, Place, Stage, Tally, Truth, What, WorstCode, measure, measure_channels,
+    ChannelTally, Drawn, Inspected, Moments, Place, Stage, Tally, Truth, What, WorstCode, measure,
+    measure_channels,
 };
 use crate::measure::error::exact_rule;
 use crate::model::Model;
@@ -44,20 +45,25 @@ pub(super) fn witness(
     value: Value,
 ) -> Result<Option<Witness>, InvalidProfile> {
     let (mut snap, mut arithmetic) = (Tally::default(), Tally::default());
-    let (mut each, mut all_drawn) = (Vec::new(), Vec::new());
+    let wanted = vec![true; profile.channel.len()];
+    let (model, mut channels) = (Model::new(profile)?, ChannelTally::of(wanted.len()));
+    let (mut each, mut tallies) = (Vec::new(), Vec::new());
     for stage in stages {
         let drawn = Drawn::new(stage, profile)?;
         let own = measure(stage, &drawn, profile).tally;
         snap.merge(&stage.snap);
         arithmetic.merge(&own);
-        let (stage, drawn) = (std::slice::from_ref(stage), [drawn]);
-        let mut accuracy = sweep::accuracy(stage, &stage[0].snap, &own);
-        accuracy.channels = sweep::channels(profile, stage, &drawn).unwrap_or_default();
+        let tally = measure_channels(stage, &drawn, &model, &wanted);
+        let mut accuracy = sweep::accuracy(std::slice::from_ref(stage), &stage.snap, &own);
+        if let Some(tally) = &tally {
+            channels.merge(tally);
+            accuracy.channels = tally.report(profile);
+        }
         each.push(accuracy);
-        all_drawn.extend(drawn);
+        tallies.push(tally);
     }
     let mut whole = sweep::accuracy(stages, &snap, &arithmetic);
-    whole.channels = sweep::channels(profile, stages, &all_drawn).unwrap_or_default();
+    whole.channels = channels.report(profile);
     let levels = [Level::Stage, Level::Coverage, Level::Value];
     let over = levels.iter().find_map(|level| exceeded(tolerances, &whole, *level));
     let Some(tolerance) = over else { return Ok(None) };
@@ -66,29 +72,18 @@ pub(super) fn witness(
     let scene = (0..each.len())
         .max_by(|a, b| figure(&each[*a]).total_cmp(&figure(&each[*b])).then(b.cmp(a)))
         .unwrap_or(0);
-    if let Subject::Channel(channel) = tolerance.metric.subject {
-        let found = worst_code((&stages[scene], &all_drawn[scene]), profile, channel)?;
-        let stage = &stages[scene];
-        let face = found.as_ref().map(|(place, _)| place.triangle);
-        let face = face.and_then(|n| stage.faces.iter().find(|face| face.source == n));
-        let (place, finding) = found.unzip();
-        return Ok(Some(Witness {
-            value,
-            tolerance,
-            figure: figure(&whole),
-            scene,
-            place,
-            vertices: face.map(|face| profile.vertex.to_input(face.triangle.xy)),
-            depths: face.and_then(|face| face.triangle.z),
-            finding: finding.unwrap_or_else(|| "no single sample shows the error".to_owned()),
-        }));
-    }
-    let place = locate(sweep, scene, &stages[scene], profile, tolerance.metric)?;
-    let face = place.and_then(|p| stages[scene].faces.iter().find(|f| f.source == p.triangle));
-    let finding = match place {
-        Some(place) => words(place, tolerance.metric.name),
-        None => first_refusal(sweep, scene, profile)?,
+    let (place, finding) = if let Subject::Channel(channel) = tolerance.metric.subject {
+        let tally = tallies[scene].as_ref();
+        tally.and_then(|tally| worst_code((&stages[scene], tally), profile, channel)).unzip()
+    } else {
+        let place = locate(sweep, scene, &stages[scene], profile, tolerance.metric)?;
+        let finding = match place {
+            Some(place) => words(place, tolerance.metric.name),
+            None => first_refusal(sweep, scene, profile)?,
+        };
+        (place, Some(finding))
     };
+    let face = place.and_then(|p| stages[scene].faces.iter().find(|f| f.source == p.triangle));
     Ok(Some(Witness {
         value,
         tolerance,
@@ -97,31 +92,30 @@ pub(super) fn witness(
         place,
         vertices: face.map(|face| profile.vertex.to_input(face.triangle.xy)),
         depths: face.and_then(|face| face.triangle.z),
-        finding,
+        finding: finding.unwrap_or_else(|| NOWHERE.to_owned()),
     }))
 }
 
+/// What has no place in the picture.
+const NOWHERE: &str = "no single sample shows the error";
+
 /// The sample where a channel is farthest off, and what happened there.
 fn worst_code(
-    (stage, drawn): (&Stage, &Drawn),
+    (stage, tally): (&Stage, &ChannelTally),
     profile: &Profile,
     channel: &str,
-) -> Result<Option<(Place, String)>, InvalidProfile> {
-    let wanted: Vec<bool> = profile.channel.iter().map(|own| own.name == channel).collect();
-    let tally = measure_channels(stage, drawn, &Model::new(profile)?, &wanted);
-    let Some((tally, number)) = tally.zip(wanted.iter().position(|wanted| *wanted)) else {
-        return Ok(None);
-    };
-    let (worst, count) = (tally.worst[number], tally.moments[number].count);
-    if count == 0 || tally.moments[number].worst.is_infinite() {
-        return Ok(None);
+) -> Option<(Place, String)> {
+    let number = profile.channel.iter().position(|own| own.name == channel)?;
+    let Moments { count, worst: error, .. } = tally.moments[number];
+    if count == 0 || error.is_infinite() {
+        return None;
     }
-    let WorstCode { component, face, x, y, code, exact } = worst;
+    let WorstCode { component, face, x, y, code, exact } = tally.worst[number];
     let component = &profile.channel[number].components[component];
     #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
     let what = What::Ulp(code as f64 - exact);
     let place = Place { triangle: stage.faces[face].source, x, y, what };
-    Ok(Some((place, format!("{component} of {channel} is {code} but should be {exact:.3}"))))
+    Some((place, format!("{component} of {channel} is {code} but should be {exact:.3}")))
 }
 
 /// The value to look at for a metric.
@@ -198,5 +192,5 @@ fn first_refusal(sweep: &Sweep, scene: usize, profile: &Profile) -> Result<Strin
         let error = model.snap(&reference.triangle(index, profile)).err()?;
         Some(format!("triangle {index}: {error}"))
     });
-    Ok(refusal.unwrap_or_else(|| "no single sample shows the error".to_owned()))
+    Ok(refusal.unwrap_or_else(|| NOWHERE.to_owned()))
 }

@@ -47,18 +47,23 @@ pub trait Carrier: Debug + Send + Sync {
     /// point.
     fn columns(&self, name: &str, words: &CarriedWords, scale: u32) -> Vec<Column>;
 
-    /// Whether a value is a start and two slopes, which are added sample by sample and row by row.
+    /// Whether a value is a start and two slopes, which are added sample by sample and row by row: then its
+    /// words give the value of any pixel, covered or not.
     fn steps(&self) -> bool {
         false
     }
 
     /// Sets a value up.
     fn carry(&self, value: &LinearValue<'_>, words: &CarriedWords) -> Box<dyn Carried>;
+}
 
-    /// Whether the words give the value of any pixel, covered or not, wherever a run begins.
-    fn reaches_everywhere(&self) -> bool {
-        false
-    }
+/// The unwrapped accumulators of a run of samples.
+#[derive(Debug)]
+pub enum Accumulators {
+    /// On a straight line.
+    Line(Line),
+    /// One by one.
+    Each(Vec<i128>),
 }
 
 /// A linear value, set up.
@@ -66,12 +71,9 @@ pub trait Carried: Debug {
     /// The set-up words, in the order of [`Carrier::columns`].
     fn setup(&self) -> Vec<Unreduced>;
 
-    /// The unwrapped accumulators of the samples from pixel (x, y) rightward, where they are on a straight
-    /// line. `x` is where the covered run begins.
-    fn line(&self, y: u32, x: u32) -> Option<Line>;
-
-    /// The same as numbers, for a run of `out.len()` samples on no line.
-    fn run(&self, _y: u32, _x: u32, _out: &mut [i128]) {}
+    /// The unwrapped accumulators of the run of `length` samples from pixel (x, y) rightward, in the same
+    /// form for every value. `x` is where the covered run begins.
+    fn run(&self, y: u32, x: u32, length: usize) -> Accumulators;
 }
 
 /// Start and slopes of a plane, walked on the sample grid. Spec clause `P-2`.
@@ -96,10 +98,6 @@ impl Carrier for Planes {
 
     fn carry(&self, value: &LinearValue<'_>, words: &CarriedWords) -> Box<dyn Carried> {
         Box::new(plane(value, words))
-    }
-
-    fn reaches_everywhere(&self) -> bool {
-        true
     }
 }
 
@@ -131,8 +129,8 @@ impl Carried for Plane {
         self.values().into()
     }
 
-    fn line(&self, y: u32, x: u32) -> Option<Line> {
-        Some([self.at(x.into(), y.into()).raw(), self.dx().raw()])
+    fn run(&self, y: u32, x: u32, _: usize) -> Accumulators {
+        Accumulators::Line([self.at(x.into(), y.into()).raw(), self.dx().raw()])
     }
 }
 
@@ -168,10 +166,11 @@ impl Carried for Started {
         vec![Unreduced::new(self.dx, self.words.read.fraction())]
     }
 
-    fn line(&self, y: u32, x: u32) -> Option<Line> {
+    fn run(&self, y: u32, x: u32, _: usize) -> Accumulators {
         let CarriedWords { read, rounding, division, gain } = self.words;
         let numerator = self.gradient.numerator(self.grid.position(x.into(), y.into()));
         let divider = division.by(self.gradient.area2 << self.scale);
-        Some([divider.apply(numerator, read.fraction(), rounding).0 + gain, self.dx])
+        let start = divider.apply(numerator, read.fraction(), rounding).0 + gain;
+        Accumulators::Line([start, self.dx])
     }
 }

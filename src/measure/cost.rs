@@ -90,14 +90,20 @@ pub fn estimate(profile: &Profile) -> Result<Cost, InvalidProfile> {
     let Datapath { units, setup_bits, operations } = datapath(profile)?;
     let sum = |bits: fn(&Unit) -> u32| units.iter().map(bits).sum();
     let depth_bits = profile.depth.map_or(0, |d| depth_setup_bits(&d, &profile.vertex, &grid));
+    let channels = channel::channels(profile, adder::ripple);
     Ok(Cost {
         register_bits: sum(|unit| unit.register_bits),
         adder_bits: sum(|unit| unit.adder_bits),
         setup_bits: setup_bits.max(depth_bits),
-        channels: channel::channels(profile, adder::ripple),
+        ripple: area_and_clock(profile, &units, &channels, adder::ripple),
+        prefix: area_and_clock(
+            profile,
+            &units,
+            &channel::channels(profile, adder::prefix),
+            adder::prefix,
+        ),
+        channels,
         set_up: channel::set_up(profile, adder::ripple),
-        ripple: area_and_clock(profile, &units, adder::ripple),
-        prefix: area_and_clock(profile, &units, adder::prefix),
         operations,
         units,
     })
@@ -110,7 +116,12 @@ fn datapath(profile: &Profile) -> Result<Datapath, InvalidProfile> {
 }
 
 /// Spec clause `H-2`.
-fn area_and_clock(profile: &Profile, units: &[Unit], adder: fn(u32) -> Adder) -> Estimate {
+fn area_and_clock(
+    profile: &Profile,
+    units: &[Unit],
+    channels: &[ChannelCost],
+    adder: fn(u32) -> Adder,
+) -> Estimate {
     let (mut area_um2, mut delay_ps) = (0.0, 0.0f64);
     for unit in units {
         let Adder { delay_ps: adder_ps, area_um2: adder_um2 } = adder(unit.width);
@@ -125,7 +136,6 @@ fn area_and_clock(profile: &Profile, units: &[Unit], adder: fn(u32) -> Adder) ->
         }
         delay_ps = delay_ps.max(step);
     }
-    let channels = channel::channels(profile, adder);
     area_um2 += channels.iter().map(|own| own.walked_um2 + own.correction_um2).sum::<f64>();
     for width in channel::widths(profile) {
         delay_ps = delay_ps.max(adder(width).delay_ps + REGISTER_PS);

@@ -43,7 +43,7 @@ impl Model {
         let number = channels.iter().position(|config| config.name == channel);
         let number = number.ok_or_else(|| QuadError::Channel(channel.to_owned()))?;
         let config = &channels[number];
-        if !self.machine.carrier().is_some_and(Carrier::reaches_everywhere) {
+        if !self.machine.carrier().is_some_and(Carrier::steps) {
             return Err(QuadError::Machine(self.profile.form.name()));
         }
         let several = self.profile.multisample.is_some()

@@ -1,8 +1,8 @@
 //! Channels: what the vertices of a triangle bring beside depth, and the codes that are drawn of it.
 
-use crate::model::{MODELS, Open, count, few};
+use crate::model::{MODELS, Open, count, few, part_out};
 use crate::primitive::{GUARDBIT_TRIANGLE, given};
-use crate::{Failure, GUARDBIT_ARGUMENT, answer, name_out, null, numbers_in};
+use crate::{Failure, GUARDBIT_ARGUMENT, answer, name_out, numbers_in};
 use guardbit::machine::ChannelPort;
 use guardbit::scene::{Named, Shading};
 use std::ffi::c_char;
@@ -141,20 +141,9 @@ pub unsafe extern "C" fn guardbit_codes(
     codes: *mut i64,
 ) -> i32 {
     answer(|| {
-        if codes.is_null() {
-            return Err(null("codes"));
-        }
         MODELS.with(model, |open| {
-            let held = drawn(open, channel)?;
-            let begin = usize::try_from(first).unwrap_or(usize::MAX);
-            let end = begin.saturating_add(count as usize);
-            let Some(part) = held.get(begin..end) else {
-                return Err(few("first + count", end as u64, held.len(), "codes"));
-            };
-            // SAFETY: not null, and the caller gives `count` numbers.
-            let codes = unsafe { std::slice::from_raw_parts_mut(codes, count as usize) };
-            codes.copy_from_slice(part);
-            Ok(0)
+            // SAFETY: as the caller promises.
+            unsafe { part_out(codes, "codes", (first, count), drawn(open, channel)?) }
         })
     })
 }

@@ -227,20 +227,9 @@ pub unsafe extern "C" fn guardbit_depth(
     depths: *mut u64,
 ) -> i32 {
     answer(|| {
-        if depths.is_null() {
-            return Err(null("depths"));
-        }
         MODELS.with(model, |open| {
-            let held = &open.drawing.depth;
-            let begin = usize::try_from(first).unwrap_or(usize::MAX);
-            let end = begin.saturating_add(count as usize);
-            let Some(part) = held.get(begin..end) else {
-                return Err(few("first + count", end as u64, held.len(), "depths"));
-            };
-            // SAFETY: not null, and the caller gives `count` numbers.
-            let depths = unsafe { std::slice::from_raw_parts_mut(depths, count as usize) };
-            depths.copy_from_slice(part);
-            Ok(0)
+            // SAFETY: as the caller promises.
+            unsafe { part_out(depths, "depths", (first, count), &open.drawing.depth) }
         })
     })
 }
@@ -296,4 +285,28 @@ pub unsafe extern "C" fn guardbit_column(
 pub(crate) fn few(name: &str, got: u64, have: usize, what: &str) -> Failure {
     let text = format!("{name} = {got}: there are {have} {what}");
     Failure::new(GUARDBIT_ARGUMENT, text)
+}
+
+/// Copies `count` numbers of a drawing from number `first` on, or a failure naming the parameter.
+///
+/// # Safety
+/// `pointer` is null or leads to `count` numbers.
+pub(crate) unsafe fn part_out<T: Copy>(
+    pointer: *mut T,
+    name: &str,
+    (first, count): (u64, u32),
+    held: &[T],
+) -> Result<i32, Failure> {
+    if pointer.is_null() {
+        return Err(null(name));
+    }
+    let begin = usize::try_from(first).unwrap_or(usize::MAX);
+    let end = begin.saturating_add(count as usize);
+    let Some(part) = held.get(begin..end) else {
+        return Err(few("first + count", end as u64, held.len(), name));
+    };
+    // SAFETY: not null, and the caller gives `count` numbers.
+    let to = unsafe { std::slice::from_raw_parts_mut(pointer, count as usize) };
+    to.copy_from_slice(part);
+    Ok(0)
 }

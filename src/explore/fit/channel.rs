@@ -17,6 +17,8 @@ pub(super) struct Channels {
     measured: Vec<(Words, Vec<ChannelError>)>,
     /// Scene and face of those that refuted a budget, the last one first.
     hot: Vec<(usize, usize)>,
+    /// Samples that are drawn and right, once they have been counted.
+    samples: Option<u64>,
 }
 
 /// What decides the codes of channels, on a coverage.
@@ -54,14 +56,15 @@ impl Channels {
         if let Some((_, errors)) = self.measured.iter().find(|(known, _)| *known == words) {
             return Ok(conclude(tolerances, errors.clone()));
         }
-        let part = Part { profile, tolerances, samples: samples(stages, drawn) };
+        let samples = *self.samples.get_or_insert_with(|| samples(stages, drawn));
+        let part = Part { profile, tolerances, samples };
         let (model, wanted) = (Model::new(profile)?, &words.wanted);
         let measure = |scene: usize, face: usize, tally: &mut ChannelTally| {
             let stage = &stages[scene];
-            if let Some(shades) = &stage.shades {
+            stage.shades.as_ref().is_some_and(|shades| {
                 let runs = drawn[scene].runs(stage, face);
-                shades.face((stage, &model), (face, runs), wanted, tally);
-            }
+                shades.face((stage, &model), (face, runs), wanted, tally)
+            })
         };
         let hot = self.hot.iter().position(|(scene, face)| {
             let mut own = ChannelTally::of(wanted.len());
@@ -75,9 +78,7 @@ impl Channels {
         let mut all = ChannelTally::of(wanted.len());
         for (scene, stage) in stages.iter().enumerate() {
             for face in 0..stage.faces.len() {
-                let before: Vec<f64> = all.moments.iter().map(|moments| moments.worst).collect();
-                measure(scene, face, &mut all);
-                let worse = all.moments.iter().zip(before).any(|(now, before)| now.worst > before);
+                let worse = measure(scene, face, &mut all);
                 if (worse || face % 256 == 255) && part.fails(&all) {
                     self.hot.insert(0, (scene, face));
                     self.hot.truncate(HOT);

@@ -2,8 +2,7 @@
 
 use super::{Barycentric, BarycentricConfig, Weighted};
 use crate::format::{Column, Unreduced, WordFormat};
-use crate::machine::{Carried, CarriedWords, Carrier, LinearValue};
-use crate::value::Line;
+use crate::machine::{Accumulators, Carried, CarriedWords, Carrier, LinearValue};
 
 /// A value weighed by the coordinates of a triangle.
 #[derive(Debug)]
@@ -38,13 +37,8 @@ impl Carried for Shared {
         [base, rise[0], rise[1]].map(|raw| Unreduced::new(raw, scale)).into()
     }
 
-    fn line(&self, _: u32, _: u32) -> Option<Line> {
-        None
-    }
-
-    fn run(&self, y: u32, x: u32, out: &mut [i128]) {
-        for (slot, x) in out.iter_mut().zip(x..) {
-            *slot = self.weighted.at(&self.config, x, y);
-        }
+    fn run(&self, y: u32, x: u32, length: usize) -> Accumulators {
+        let at = |x| self.weighted.at(&self.config, x, y);
+        Accumulators::Each((x..).take(length).map(at).collect())
     }
 }

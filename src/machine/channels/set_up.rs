@@ -5,10 +5,9 @@ use crate::bits::bounded;
 use crate::cover::SampleGrid;
 use crate::dda::Processor;
 use crate::format::Unreduced;
-use crate::machine::{Carried, CarriedWords, Carrier, LinearValue};
+use crate::machine::{Accumulators, Carried, CarriedWords, Carrier, LinearValue};
 use crate::setup::{EdgeCoefficients, Triangle, edges};
 use crate::value::{Correction, InverseRun, Line, Provoking, VertexValues};
-use std::iter;
 
 /// A triangle's channels, set up.
 #[derive(Debug)]
@@ -114,15 +113,13 @@ impl Channels {
     }
 }
 
-/// What runs of one triangle share, so that no run asks for memory.
+/// What runs of one triangle share, so that few runs ask for memory.
 #[derive(Debug, Default)]
 pub(super) struct Scratch {
     inverse: InverseRun,
     /// The run, the place and whether 1/w is constant, of which `inverse` is.
     of: Option<([u32; 3], usize, bool)>,
     lines: Vec<Line>,
-    accumulators: Vec<i128>,
-    inverses: Vec<i128>,
     coordinates: Vec<Option<[i128; 2]>>,
 }
 
@@ -142,45 +139,14 @@ impl Channel {
         for codes in out.iter_mut() {
             codes.resize(length, 0);
         }
-        let config = self.corrector.config();
-        match &components[..] {
-            [Component::Carried(_), ..] => {
-                let carried = components.iter().filter_map(|component| match component {
-                    Component::Carried(carried) => Some(&**carried),
-                    _ => None,
-                });
-                scratch.lines.clear();
-                scratch.lines.extend(carried.clone().map_while(|value| value.line(y, x0)));
-                if scratch.lines.len() < components.len() {
-                    self.carried_run(carried, at, run, scratch, out);
-                } else if !config.correction.walks_w() {
-                    for (line, out) in scratch.lines.iter().zip(out.iter_mut()) {
-                        self.corrector.affine_run(processor, *line, out);
-                    }
-                } else if let (Some(w), Some(read)) = (&at.w, self.corrector.w_read_out()) {
-                    let constant = matches!(config.correction, Correction::ConstantW { .. });
-                    if scratch.of != Some((run, place, constant)) {
-                        let [mut start, mut step] = w.line(y, x0).unwrap_or_default();
-                        if constant {
-                            start += step * i128::from((x1 - x0 - 1) / 2);
-                            step = 0;
-                        }
-                        scratch.inverse.begin(processor, read, [start, step], length);
-                        scratch.of = Some((run, place, constant));
-                    }
-                    let Scratch { inverse, lines, .. } = scratch;
-                    self.corrector.divided_run(processor, lines, inverse, out);
-                }
-            }
-            [Component::Weighed(_), ..] => {
-                let weights = (x0..x1).map(|x| {
-                    let weights = set_up.weights(at.grid.position(x.into(), y.into()));
-                    self.corrector.coordinates(weights)
-                });
-                scratch.coordinates.clear();
-                scratch.coordinates.extend(weights);
-            }
-            _ => {}
+        scratch.lines.clear();
+        if matches!(components[..], [Component::Weighed(_), ..]) {
+            let weights = (x0..x1).map(|x| {
+                let weights = set_up.weights(at.grid.position(x.into(), y.into()));
+                self.corrector.coordinates(weights)
+            });
+            scratch.coordinates.clear();
+            scratch.coordinates.extend(weights);
         }
         for (component, out) in components.iter().zip(out.iter_mut()) {
             match component {
@@ -190,42 +156,74 @@ impl Channel {
                         *slot = self.corrector.weighed(*coordinates, *values);
                     }
                 }
-                Component::Carried(_) => {}
+                Component::Carried(carried) => match carried.run(y, x0, length) {
+                    Accumulators::Line(line) => scratch.lines.push(line),
+                    Accumulators::Each(over) => self.each(at, run, &over, out),
+                },
             }
+        }
+        if !scratch.lines.is_empty() {
+            self.along_lines(processor, (at, place), run, scratch, out);
         }
     }
 
-    /// The codes of a run whose accumulators are on no line.
-    fn carried_run<'a>(
+    /// The codes of components whose accumulators are on straight lines.
+    fn along_lines(
         &self,
-        components: impl Iterator<Item = &'a dyn Carried>,
-        at: &Place,
-        [y, x0, x1]: [u32; 3],
+        processor: Processor,
+        (at, place): (&Place, usize),
+        run: [u32; 3],
         scratch: &mut Scratch,
         out: &mut [Vec<i64>],
     ) {
+        let [y, x0, x1] = run;
         let length = (x1 - x0) as usize;
-        let Scratch { accumulators, inverses, .. } = scratch;
-        let correction = &self.corrector.config().correction;
-        let w = at.w.as_ref().filter(|_| correction.walks_w());
-        if let Some(w) = w {
-            inverses.resize(length, 0);
-            w.run(y, x0, inverses);
-            if matches!(correction, Correction::ConstantW { .. }) {
-                let middle = inverses[(length - 1) / 2];
-                inverses.fill(middle);
+        let Scratch { inverse, of, lines, .. } = scratch;
+        let (Some(w), Some(read)) = (self.inverse(at), self.corrector.w_read_out()) else {
+            for (line, out) in lines.iter().zip(out) {
+                self.corrector.affine_run(processor, *line, out);
             }
-        }
-        accumulators.resize(length, 0);
-        for (component, out) in components.zip(out) {
-            component.run(y, x0, accumulators);
-            let values = accumulators.iter().zip(inverses.iter().chain(iter::repeat(&0)));
-            for (slot, (over, inverse)) in out.iter_mut().zip(values) {
-                *slot = match w {
-                    Some(_) => self.corrector.divided(*over, *inverse),
-                    None => self.corrector.affine(*over),
-                };
+            return;
+        };
+        let constant = self.is_constant();
+        if *of != Some((run, place, constant)) {
+            let Accumulators::Line([mut start, mut step]) = w.run(y, x0, length) else {
+                unreachable!("1/w is carried as u/w is")
+            };
+            if constant {
+                start += step * i128::from((x1 - x0 - 1) / 2);
+                step = 0;
             }
+            inverse.begin(processor, read, [start, step], length);
+            *of = Some((run, place, constant));
         }
+        self.corrector.divided_run(processor, lines, inverse, out);
+    }
+
+    /// The codes of a component whose accumulators are given one by one.
+    fn each(&self, at: &Place, [y, x0, _]: [u32; 3], over: &[i128], out: &mut [i64]) {
+        let Some(w) = self.inverse(at) else {
+            for (slot, over) in out.iter_mut().zip(over) {
+                *slot = self.corrector.affine(*over);
+            }
+            return;
+        };
+        let Accumulators::Each(inverse) = w.run(y, x0, over.len()) else {
+            unreachable!("1/w is carried as u/w is")
+        };
+        let middle = self.is_constant().then(|| inverse[(over.len() - 1) / 2]);
+        for ((slot, over), inverse) in out.iter_mut().zip(over).zip(inverse) {
+            *slot = self.corrector.divided(*over, middle.unwrap_or(inverse));
+        }
+    }
+
+    /// 1/w, where the channel is divided by it.
+    fn inverse<'a>(&self, at: &'a Place) -> Option<&'a dyn Carried> {
+        let walks = self.corrector.config().correction.walks_w();
+        at.w.as_deref().filter(|_| walks)
+    }
+
+    fn is_constant(&self) -> bool {
+        matches!(self.corrector.config().correction, Correction::ConstantW { .. })
     }
 }

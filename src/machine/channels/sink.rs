@@ -22,6 +22,8 @@ pub(super) struct Buffers {
     scratch: Scratch,
     /// By place, then component.
     at: Vec<Vec<Vec<i64>>>,
+    /// By place: whether those of this run are there.
+    known: Vec<bool>,
     /// Those that leave, by component.
     chosen: Vec<Vec<i64>>,
 }
@@ -34,7 +36,8 @@ impl ChannelSink<'_> {
     /// The values of one run, of the channels that need masks or of the others.
     fn run(&mut self, run: [u32; 3], masks: Option<&[u32]>) {
         let Some(set_up) = &self.set_up else { return };
-        let Buffers { scratch, at, chosen } = &mut self.buffers;
+        let Buffers { scratch, at, known, chosen } = &mut self.buffers;
+        at.resize_with(self.channels.grids.len(), Vec::new);
         for (number, channel) in self.channels.list.iter().enumerate() {
             if Self::needs_masks(channel.places) != masks.is_some() {
                 continue;
@@ -43,7 +46,6 @@ impl ChannelSink<'_> {
                 let processor = self.channels.processor;
                 channel.run(processor, (set_up, place), run, scratch, out);
             };
-            at.resize_with(self.channels.grids.len().max(1), Vec::new);
             let width = channel.corrector.config().components.len();
             chosen.resize_with(width, Vec::new);
             if masks.is_some() {
@@ -63,7 +65,8 @@ impl ChannelSink<'_> {
                     }
                 }
                 (Places::Centroid { centre, samples, count }, Some(masks)) => {
-                    let mut known = vec![false; self.channels.grids.len()];
+                    known.clear();
+                    known.resize(at.len(), false);
                     for (pixel, mask) in masks.iter().enumerate() {
                         let place = self.channels.centroid(*mask, (centre, samples, count));
                         if !known[place] {

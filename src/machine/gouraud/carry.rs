@@ -2,8 +2,7 @@
 
 use super::{Gouraud, descend};
 use crate::format::{Column, Unreduced};
-use crate::machine::{Carried, CarriedWords, Carrier, LinearValue, WalkedEdge};
-use crate::value::Line;
+use crate::machine::{Accumulators, Carried, CarriedWords, Carrier, LinearValue, WalkedEdge};
 
 /// A value walked down three edges.
 #[derive(Debug)]
@@ -49,7 +48,7 @@ impl Carried for Walked {
         self.edges.iter().flat_map(edge).collect()
     }
 
-    fn line(&self, y: u32, x: u32) -> Option<Line> {
+    fn run(&self, y: u32, x: u32, _: usize) -> Accumulators {
         let row = i128::from(y);
         let crossed =
             self.edges.iter().flatten().filter(|(x, _)| (x.first_row..x.end_row).contains(&row));
@@ -61,6 +60,6 @@ impl Carried for Walked {
             .collect();
         cuts.sort_unstable();
         let [left, right] = cuts[..] else { unreachable!("a covered row has two cuts") };
-        Some(self.machine.along(self.words.rounding, x, [left, right]))
+        Accumulators::Line(self.machine.along(self.words.rounding, x, [left, right]))
     }
 }

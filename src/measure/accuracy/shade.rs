@@ -169,11 +169,12 @@ impl Shades {
     pub fn change(&self, stage: &Stage, config: &AttributeConfig) -> Change {
         let mut change = Change::default();
         let unit = real(config.unit());
+        // The exact values of a channel that is held flat are not what is asked here.
+        let plain = AttributeConfig { correction: Correction::Affine, ..config.clone() };
         let (mut exact, mut affine) = (Vec::new(), Vec::new());
         for (face, given) in stage.faces.iter().zip(&self.given) {
             let runs = &stage.runs[face.runs.clone()];
             let (values, w) = reals(given, config);
-            let plain = AttributeConfig { correction: Correction::Affine, ..config.clone() };
             let over = Interpolated::new(stage, face, &plain, w);
             let linear = Interpolated { inverse: [1.0; 3], ..over };
             for values in values.iter().filter(|_| !runs.is_empty()) {
@@ -198,14 +199,15 @@ impl Shades {
         change
     }
 
-    /// Measures the wanted channels of a face over runs of it that are drawn.
+    /// Measures the wanted channels of a face over runs of it that are drawn; whether one is farther off than
+    /// any before.
     pub fn face(
         &self,
         (stage, model): (&Stage, &Model),
         (number, runs): (usize, &[Span]),
         wanted: &[bool],
         tally: &mut ChannelTally,
-    ) {
+    ) -> bool {
         let face = &stage.faces[number];
         let channels = &model.profile().channel;
         let Ok(values) = model.shading(&self.given[number]) else {
@@ -214,8 +216,9 @@ impl Shades {
             {
                 moments.note(f64::INFINITY);
             }
-            return;
+            return true;
         };
+        let mut worse = false;
         let mut exact_runs = ExactRuns { stage, rest: face.runs.clone() };
         let mut last = None;
         let triangle = (&*face.triangle, face.turned);
@@ -234,6 +237,7 @@ impl Shades {
                     #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
                     let error = *code as f64 - exact * unit;
                     if error.abs() > moments.worst {
+                        worse = true;
                         let x = run.x0 + u32::try_from(n).unwrap_or(0);
                         let (face, y, code, exact) = (number, run.y, *code, exact * unit);
                         tally.worst[channel] = WorstCode { component, face, x, y, code, exact };
@@ -242,6 +246,7 @@ impl Shades {
                 }
             }
         });
+        worse
     }
 }
 

@@ -25,7 +25,7 @@ fn depth_unit(guard: u32, integer: u32, interpolation: u32) -> (Profile, Vec<Uni
 fn whole_ddas_come_out_as_measured() {
     for (budget, measured_ps) in [((2, 8, 16), 394.0), ((4, 24, 16), 434.0)] {
         let (profile, units) = depth_unit(budget.0, budget.1, budget.2);
-        let estimate = area_and_clock(&profile, &units, adder::prefix);
+        let estimate = area_and_clock(&profile, &units, &[], adder::prefix);
         let off = estimate.delay_ps / measured_ps - 1.0;
         assert!(off.abs() < 0.01, "{budget:?}: {} ps", estimate.delay_ps);
         let per_bit = estimate.area_um2 / f64::from(units[0].width);

@@ -50,17 +50,13 @@ pub(super) fn require(
         let change = shades.change(stage, config);
         let (needs, evidence) = verdict(config, change);
         let cost = costs.iter().find(|cost| cost.name == config.name);
-        let spared = match needs {
+        let spared = cost.map_or(0.0, |cost| match needs {
             Interpolation::Perspective => 0.0,
-            Interpolation::Affine => cost.map_or(0.0, |cost| cost.correction_um2),
-            Interpolation::Constant => {
-                let own = |cost: &_| match config.correction {
-                    Correction::Flat { .. } => 0.0,
-                    _ => walked_and_corrected(cost),
-                };
-                cost.map_or(0.0, own)
-            }
-        };
+            Interpolation::Affine => cost.correction_um2,
+            // A channel that the profile holds flat has no more than its register.
+            Interpolation::Constant if matches!(config.correction, Correction::Flat { .. }) => 0.0,
+            Interpolation::Constant => cost.walked_um2 + cost.correction_um2,
+        });
         found.channels.push(ChannelNeed {
             name: config.name.clone(),
             needs,
@@ -70,10 +66,6 @@ pub(super) fn require(
         });
     }
     Ok(())
-}
-
-fn walked_and_corrected(cost: &crate::measure::cost::ChannelCost) -> f64 {
-    cost.walked_um2 + cost.correction_um2
 }
 
 fn verdict(config: &AttributeConfig, change: Change) -> (Interpolation, String) {

@@ -18,6 +18,40 @@ const ROUNDING: Decision = Decision::words("rounding", Level::Value, "CH-1", rou
 const CLAMP: Decision =
     Decision::words("clamp", Level::Value, "CH-1", || CLAMPS.map(Clamp::name).to_vec());
 
+/// The words that a channel and 1/w both have.
+macro_rules! words {
+    ($config:ty) => {
+        impl $config {
+            fn word(&self, name: &str) -> Option<Value> {
+                Some(match name {
+                    "integer" => Value::Bits(self.integer),
+                    "interpolation" => Value::Bits(self.interpolation),
+                    "guard" => Value::Bits(self.guard),
+                    "rounding" => Value::Name(self.rounding.names().guardbit),
+                    "clamp" => Value::Name(self.clamp.name()),
+                    _ => return None,
+                })
+            }
+
+            fn decide_word(&mut self, name: &str, value: &Value) -> Result<(), Refused> {
+                let number = || Refused::unless(value.bits());
+                match name {
+                    "integer" => self.integer = number()?,
+                    "interpolation" => self.interpolation = number()?,
+                    "guard" => self.guard = number()?,
+                    "rounding" => self.rounding = rounding(value)?,
+                    "clamp" => self.clamp = Refused::unless(value.choose(&CLAMPS, Clamp::name))?,
+                    _ => return Err(Refused::Absent),
+                }
+                Ok(())
+            }
+        }
+    };
+}
+
+words!(AttributeConfig);
+words!(InverseWConfig);
+
 impl AttributeConfig {
     /// The decisions of a channel; `operand`, `index`, `entry` and `step` are those of its reciprocal unit,
     /// `step` the bits after its last Newton step, and `coordinate` the bits of its coordinates.
@@ -45,11 +79,6 @@ impl AttributeConfig {
     /// What a decision of this name is set to; `None` where the channel has none.
     pub fn decision(&self, name: &str) -> Option<Value> {
         let number = match (name, &self.correction) {
-            ("integer", _) => self.integer,
-            ("interpolation", _) => self.interpolation,
-            ("guard", _) => self.guard,
-            ("rounding", _) => return Some(Value::Name(self.rounding.names().guardbit)),
-            ("clamp", _) => return Some(Value::Name(self.clamp.name())),
             ("coordinate", Correction::Barycentric { bits, .. }) => *bits,
             ("operand", Correction::Reciprocal { unit, .. }) => unit.operand,
             ("index", Correction::Reciprocal { unit, .. }) => unit.index,
@@ -58,7 +87,7 @@ impl AttributeConfig {
                 Refine::Newton { bits } => *bits.last()?,
                 Refine::None | Refine::Linear => return None,
             },
-            _ => return None,
+            _ => return self.word(name),
         };
         Some(Value::Bits(number))
     }
@@ -70,11 +99,6 @@ impl AttributeConfig {
     pub fn decide(&mut self, name: &str, value: &Value) -> Result<(), Refused> {
         let number = || Refused::unless(value.bits());
         match name {
-            "integer" => self.integer = number()?,
-            "interpolation" => self.interpolation = number()?,
-            "guard" => self.guard = number()?,
-            "rounding" => self.rounding = rounding(value)?,
-            "clamp" => self.clamp = Refused::unless(value.choose(&CLAMPS, Clamp::name))?,
             "operand" => self.unit_config()?.operand = number()?,
             "index" => self.unit_config()?.index = number()?,
             "entry" => self.unit_config()?.entry = number()?,
@@ -86,7 +110,7 @@ impl AttributeConfig {
                 Correction::Barycentric { bits, .. } => *bits = number()?,
                 _ => return Err(Refused::Absent),
             },
-            _ => return Err(Refused::Absent),
+            _ => return self.decide_word(name, value),
         }
         Ok(())
     }
@@ -99,14 +123,7 @@ impl InverseWConfig {
 
     /// What a decision of this name is set to; `None` for another owner's.
     pub fn decision(&self, name: &str) -> Option<Value> {
-        Some(match name {
-            "integer" => Value::Bits(self.integer),
-            "interpolation" => Value::Bits(self.interpolation),
-            "guard" => Value::Bits(self.guard),
-            "rounding" => Value::Name(self.rounding.names().guardbit),
-            "clamp" => Value::Name(self.clamp.name()),
-            _ => return None,
-        })
+        self.word(name)
     }
 
     /// Sets a decision.
@@ -114,15 +131,6 @@ impl InverseWConfig {
     /// # Errors
     /// [`Refused`] for another owner's, or a value that it does not take.
     pub fn decide(&mut self, name: &str, value: &Value) -> Result<(), Refused> {
-        let number = || Refused::unless(value.bits());
-        match name {
-            "integer" => self.integer = number()?,
-            "interpolation" => self.interpolation = number()?,
-            "guard" => self.guard = number()?,
-            "rounding" => self.rounding = rounding(value)?,
-            "clamp" => self.clamp = Refused::unless(value.choose(&CLAMPS, Clamp::name))?,
-            _ => return Err(Refused::Absent),
-        }
-        Ok(())
+        self.decide_word(name, value)
     }
 }

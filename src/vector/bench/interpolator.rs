@@ -95,12 +95,11 @@ impl TestBench for InterpolatorBench {
     type Test = WalkTest;
 
     fn test(&self, at: TestAt, limit: u64) -> WalkTest {
-        let walk = self.walk(at);
-        WalkTest { walk, rows: u32::try_from(limit).map_or(walk.rows, |most| walk.rows.min(most)) }
+        WalkTest::within(self.walk(at), limit)
     }
 
     fn words(&self, test: &WalkTest) -> Vec<i128> {
-        vec![test.walk.init, test.walk.dx, test.walk.dy]
+        test.words()
     }
 
     fn tables(&self, format: RowFormat) -> (Table, Single<Table>) {

@@ -32,6 +32,18 @@ pub struct WalkTest {
     pub rows: u32,
 }
 
+impl WalkTest {
+    /// A walk, of at most so many rows.
+    pub(super) fn within(walk: Walk, limit: u64) -> Self {
+        Self { walk, rows: u32::try_from(limit).map_or(walk.rows, |most| walk.rows.min(most)) }
+    }
+
+    /// The words of the configuration file.
+    pub(super) fn words(&self) -> Vec<i128> {
+        vec![self.walk.init, self.walk.dx, self.walk.dy]
+    }
+}
+
 impl Stimulus for WalkTest {
     type Rows = Single<Table>;
 }
@@ -211,12 +223,11 @@ impl TestBench for WalkBench {
     type Test = WalkTest;
 
     fn test(&self, at: TestAt, limit: u64) -> WalkTest {
-        let walk = self.walk(at);
-        WalkTest { walk, rows: u32::try_from(limit).map_or(walk.rows, |most| walk.rows.min(most)) }
+        WalkTest::within(self.walk(at), limit)
     }
 
     fn words(&self, test: &WalkTest) -> Vec<i128> {
-        vec![test.walk.init, test.walk.dx, test.walk.dy]
+        test.words()
     }
 
     fn tables(&self, format: RowFormat) -> (Table, Single<Table>) {
