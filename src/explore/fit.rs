@@ -173,7 +173,10 @@ pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit
             let Verdict::Meets(accuracy) = judge.judge(&profile)? else { continue };
             if request.robust {
                 let kept = judge.effort;
-                let larger = larger::check(&mut judge, request.sweep, &choices)?;
+                let Some(larger) = larger::check(&mut judge, request.sweep, &choices, go_on)?
+                else {
+                    return Ok(None);
+                };
                 judge.effort = kept;
                 if let Some(failed) = larger.failed {
                     failing.push(request.sweep.space.choices(failed.index));
@@ -190,7 +193,9 @@ pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit
             let Point::Budget(profile) = candidate.point(request.sweep) else { return Ok(None) };
             let choices = request.sweep.space.choices(candidate.index);
             // The robust answer's larger ones have been looked at and are quickly seen again.
-            let larger = larger::check(&mut judge, request.sweep, &choices)?;
+            let Some(larger) = larger::check(&mut judge, request.sweep, &choices, go_on)? else {
+                return Ok(None);
+            };
             let lesser = lesser::lesser(&mut judge, request.sweep, &profile)?;
             let (index, cost) = (candidate.index, candidate.cost);
             Some(Box::new(Best { index, profile, cost, accuracy, larger, lesser }))

@@ -37,12 +37,13 @@ pub(super) fn below(space: &Space, one: &[usize], other: &[usize]) -> bool {
     })
 }
 
-/// Looks at every larger budget until one fails.
+/// Looks at every larger budget until one fails; `None` when `go_on` said no.
 pub(super) fn check(
     judge: &mut Judge<'_>,
     sweep: &Sweep,
     choices: &[usize],
-) -> Result<Larger, InvalidProfile> {
+    go_on: &dyn Fn() -> bool,
+) -> Result<Option<Larger>, InvalidProfile> {
     let space = &sweep.space;
     let own = space.index(choices);
     let mut larger: Vec<u64> = vec![0];
@@ -64,6 +65,9 @@ pub(super) fn check(
     let mut found = Larger::default();
     judge.by_bound = true;
     for index in larger.into_iter().filter(|index| *index != own) {
+        if !go_on() {
+            return Ok(None);
+        }
         let Ok(Point::Budget(profile)) = space.point(index) else { continue };
         found.checked += 1;
         if matches!(judge.judge(&profile)?, Verdict::Fails) {
@@ -72,5 +76,5 @@ pub(super) fn check(
         }
     }
     judge.by_bound = false;
-    Ok(found)
+    Ok(Some(found))
 }
