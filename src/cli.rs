@@ -11,6 +11,7 @@ mod explore;
 mod export;
 mod failure;
 mod fit;
+mod heat;
 mod output;
 mod plot;
 mod profile;

@@ -5,6 +5,7 @@ mod channel;
 
 use super::Outcome;
 use super::failure::Failure;
+use super::heat::{self, BACKGROUND, Colour, LEGEND_LEAST, LEGEND_ROWS, Scale, Seen};
 use super::output::{Output, write_whole};
 use super::sets;
 use clap::ValueEnum;
@@ -28,7 +29,8 @@ pub(crate) struct Arguments {
     /// What the picture shows.
     #[arg(long, value_enum, default_value_t = Show::Image)]
     show: Show,
-    /// The channel that --show channel and --show checker show; by default the first one.
+    /// The channel that --show channel and --show checker show, by default the first one; or the channel whose
+    /// errors --show error shows, instead of those of depth.
     #[arg(long, value_name = "NAME")]
     channel: Option<String>,
     /// Squares of --show checker.
@@ -57,8 +59,8 @@ enum Show {
     Depth,
     /// How often each sample is drawn: once is green, twice is yellow, more is closer to red.
     Coverage,
-    /// The worst depth error in each pixel, from blue (0) to red (the worst of the picture). A missing
-    /// sample is white, an extra sample is magenta.
+    /// The worst error of depth in each pixel, or of a channel with --channel, with the scale below the
+    /// picture. A missing sample is white, an extra sample is magenta.
     Error,
     /// A channel of the nearest surface: one component is grey, others are red, green and blue.
     Channel,
@@ -66,26 +68,34 @@ enum Show {
     Checker,
 }
 
-pub(crate) type Colour = [u8; 3];
-
-/// Stands for a sample that only the model covers: beyond any depth error.
-const EXTRA: f64 = f64::MAX;
-pub(crate) const BACKGROUND: Colour = [24, 26, 32];
-pub(crate) const MISSING_COLOUR: Colour = [255, 255, 255];
-pub(crate) const EXTRA_COLOUR: Colour = [255, 0, 255];
-
 /// Pixels of a picture, with the nearest depth of each.
 struct Canvas {
     width: u32,
     colour: Vec<Colour>,
     depth: Vec<Option<u64>>,
     hits: Vec<u32>,
-    worst: Vec<Option<f64>>,
+    seen: Vec<Seen>,
 }
 
 impl Canvas {
     fn at(&self, x: u32, y: u32) -> usize {
         (y as usize) * self.width as usize + x as usize
+    }
+
+    /// Notes how wrong a sample is, if nothing in its pixel is worse.
+    fn wrong(&mut self, x: u32, y: u32, error: SampleError) {
+        let (at, error) = (self.at(x, y), Seen::from(error));
+        if error > self.seen[at] {
+            self.seen[at] = error;
+        }
+    }
+
+    /// Where the scale of its errors ends.
+    fn scale(&self) -> Scale {
+        Scale::of(self.seen.iter().filter_map(|seen| match seen {
+            Seen::Error(ulp) => Some(*ulp),
+            _ => None,
+        }))
     }
 
     /// Counts a run of samples, and lists those that are nearer than what was drawn before: their number in
@@ -155,19 +165,29 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         colour: vec![BACKGROUND; pixels],
         depth: vec![None; pixels],
         hits: vec![0; pixels],
-        worst: vec![None; pixels],
+        seen: vec![Seen::Nothing; pixels],
     };
     let scene = sets::snap_scene(&profile, &arguments.scene)?;
     let summary = match paint {
         Some(paint) => paint.draw(&model, &scene, &mut canvas)?,
-        None if arguments.show == Show::Error => draw_errors(&model, &scene.triangles, &mut canvas),
+        None if arguments.show == Show::Error => match &arguments.channel {
+            None => draw_errors(&model, &scene.triangles, &mut canvas),
+            Some(name) => {
+                let channel = channel::find(&profile, Some(name))?;
+                channel::draw_errors(&model, &arguments.scene, channel, &mut canvas)?
+            }
+        },
         None => draw(&model, &scene.triangles, &mut canvas),
     };
     colour(arguments.show, &mut canvas);
     write_png(arguments, &canvas, (width, height), zoom)?;
+    let scale = match arguments.show {
+        Show::Error => format!("; {}", canvas.scale().words()),
+        _ => String::new(),
+    };
     let mut output = Output::new();
     output.line(format!(
-        "{}: {} x {}, {} triangles of {}, {summary}",
+        "{}: {} x {}, {} triangles of {}, {summary}{scale}",
         arguments.out.display(),
         width * zoom,
         height * zoom,
@@ -196,14 +216,7 @@ fn draw_errors(model: &Model, triangles: &[Snapped<Triangle>], canvas: &mut Canv
     let mut total = Tally::default();
     for triangle in triangles {
         let tally = triangle_error(model, triangle, |x, y, error| {
-            let at = canvas.at(x, y);
-            // Misclassified samples show before any depth error.
-            let badness = match error {
-                SampleError::Depth(ulp) => ulp.abs(),
-                SampleError::Extra => EXTRA,
-                SampleError::Missing => f64::INFINITY,
-            };
-            canvas.worst[at] = Some(canvas.worst[at].map_or(badness, |seen| seen.max(badness)));
+            canvas.wrong(x, y, error);
         });
         total.samples += tally.samples;
         total.missing += tally.missing;
@@ -273,24 +286,12 @@ fn colour(show: Show, canvas: &mut Canvas) {
             }
         }
         Show::Error => {
-            let seen = canvas.worst.iter().flatten().filter(|worst| **worst < EXTRA);
-            let scale = seen.fold(0.0, |a: f64, b| a.max(*b)).max(f64::MIN_POSITIVE);
-            for (pixel, worst) in canvas.colour.iter_mut().zip(&canvas.worst) {
-                *pixel = match worst {
-                    None => BACKGROUND,
-                    Some(worst) if worst.is_infinite() => MISSING_COLOUR,
-                    Some(worst) if *worst >= EXTRA => EXTRA_COLOUR,
-                    Some(worst) => heat(worst / scale),
-                };
+            let (scale, palette) = (canvas.scale(), heat::palette().collect::<Vec<_>>());
+            for (pixel, seen) in canvas.colour.iter_mut().zip(&canvas.seen) {
+                *pixel = palette[usize::from(scale.level(*seen))];
             }
         }
     }
-}
-
-/// Blue over green to red.
-fn heat(value: f64) -> Colour {
-    let hump = |centre: f64| part(300.0 - 600.0 * (value - centre).abs());
-    [hump(1.0).max(part(60.0 * value)), hump(0.5), hump(0.0).max(30)]
 }
 
 fn write_png(
@@ -309,8 +310,14 @@ fn write_png(
             }
         }
     }
+    let (width, mut height) = (size.0 * zoom, size.1 * zoom);
+    // A picture too narrow for the marks has none; its scale stands in what is printed.
+    if arguments.show == Show::Error && width >= LEGEND_LEAST {
+        data.extend(heat::legend(canvas.scale(), width as usize).into_iter().flatten());
+        height += LEGEND_ROWS;
+    }
     write_whole(&arguments.out, |file| {
-        let mut encoder = png::Encoder::new(file, size.0 * zoom, size.1 * zoom);
+        let mut encoder = png::Encoder::new(file, width, height);
         encoder.set_color(png::ColorType::Rgb);
         let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
         writer.write_image_data(&data).map_err(std::io::Error::other)?;

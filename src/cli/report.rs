@@ -6,6 +6,7 @@ mod shell;
 
 use super::explore::figure;
 use super::failure::Failure;
+use super::heat::{self, Scale};
 use super::progress;
 pub(crate) use data::unit;
 use guardbit::explore::metric::Metric;
@@ -75,6 +76,8 @@ impl Page<'_> {
     /// The page. Maps take a while, and Ctrl-C ends that.
     pub(crate) fn html(&self) -> Result<String, Failure> {
         let maps = self.maps()?;
+        let scale = Scale::of(maps.iter().map(|map| map.worst));
+        let legend = if maps.is_empty() { String::new() } else { scale_bar(scale) };
         let title = format!(
             "{} on {}",
             self.sweep.space.base().name,
@@ -87,7 +90,8 @@ impl Page<'_> {
             ("FACTS", &self.facts()),
             ("COMMAND", &escaped(&self.command)),
             ("TABLE", &self.table()),
-            ("MAPS", &self.figures(&maps)?),
+            ("SCALE", &legend),
+            ("MAPS", &self.figures(&maps, scale)?),
             ("DATA", &data::block(self)),
             ("SCRIPT", SCRIPT),
         ];
@@ -210,7 +214,7 @@ impl Page<'_> {
         })
     }
 
-    fn figures(&self, maps: &[Map]) -> Result<String, Failure> {
+    fn figures(&self, maps: &[Map], scale: Scale) -> Result<String, Failure> {
         let mut out = String::new();
         for map in maps {
             let record = self.records.iter().find(|record| record.index == map.index);
@@ -232,10 +236,9 @@ impl Page<'_> {
             let _ = writeln!(
                 out,
                 "<figure data-index=\"{}\"><img alt=\"Error map. {caption}\" width=\"{width}\" \
-                 height=\"{height}\" src=\"{}\">{}<figcaption>{caption}</figcaption></figure>",
+                 height=\"{height}\" src=\"{}\"><figcaption>{caption}</figcaption></figure>",
                 map.index,
-                map.uri()?,
-                scale_bar(map)
+                map.uri(scale)?
             );
         }
         if maps.is_empty() {
@@ -253,21 +256,14 @@ impl Page<'_> {
     }
 }
 
-/// What the colours of a map stand for.
-fn scale_bar(map: &Map) -> String {
-    if map.worst == 0.0 {
-        return "<p class=\"note\">Blue: covered, without depth error.</p>".to_owned();
+/// What the colours of the maps stand for.
+fn scale_bar(scale: Scale) -> String {
+    let mut out =
+        format!("<div class=\"scale\"><i style=\"background:{}\"></i>", heat::gradient());
+    for mark in scale.marks() {
+        let _ = write!(out, "<span>{mark}</span>");
     }
-    let stops: Vec<String> =
-        map::colours().step_by(9).map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
-    let mut out = format!(
-        "<div class=\"scale\"><i style=\"background:linear-gradient(to right,{})\"></i>",
-        stops.join(",")
-    );
-    for part in [0.0, 0.5, 1.0] {
-        let _ = write!(out, "<span>{}</span>", figure(map.error(part)));
-    }
-    out + "<b>ULP</b></div>"
+    out + "<b>ULP</b></div>\n"
 }
 
 #[cfg(test)]
@@ -283,8 +279,8 @@ mod tests {
     fn every_key_of_the_page_is_known() {
         let keys: Vec<&str> = PAGE.split('@').skip(1).step_by(2).collect();
         let known = [
-            "TITLE", "STYLE", "TITLE", "ABOUT", "FACTS", "COMMAND", "MAPS", "TABLE", "DATA",
-            "SCRIPT",
+            "TITLE", "STYLE", "TITLE", "ABOUT", "FACTS", "COMMAND", "SCALE", "MAPS", "TABLE",
+            "DATA", "SCRIPT",
         ];
         for key in keys {
             assert!(known.contains(&key), "{key}");

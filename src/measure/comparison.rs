@@ -2,13 +2,14 @@
 //! Spec clauses `A-10` to `A-13`.
 
 mod bound;
+mod need;
 mod order;
 mod size;
 
 pub use order::{OrderRow, orders};
 pub use size::{SIZES, SizeRow, sizes};
 
-use super::accuracy::{Drawn, Reference, Stage, Truth, measure};
+use super::accuracy::{ChannelError, Drawn, Reference, Stage, Truth, measure, measure_channels};
 use super::cost::{Count, Operations, estimate};
 use super::error::exact_rule;
 use crate::exact::Rule;
@@ -68,6 +69,8 @@ pub struct Row {
     /// Samples misplaced further from an edge than the machine's clause allows; 0. Absent where no bound is
     /// stated and a sample is misplaced.
     pub beyond_bound: Option<u64>,
+    /// Errors of the channels against exact interpolation; none where the profile has no channels.
+    pub channels: Vec<ChannelError>,
     /// Neighbours in depth that change places.
     pub inversions: u64,
     /// Operations.
@@ -94,18 +97,20 @@ pub struct Effort {
 }
 
 /// What leaving an evaluator out saves.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Saved {
     /// The evaluator.
-    pub evaluator: &'static str,
+    pub evaluator: String,
     /// Why the scene does without.
-    pub why: &'static str,
+    pub why: String,
     /// Operations a triangle of the first machine.
     pub triangle: u64,
     /// Operations a covered sample.
     pub fragment: u64,
     /// Accumulator bits.
     pub bits: u32,
+    /// Cell area with ripple-carry adders, in square micrometres.
+    pub area_um2: f64,
 }
 
 /// All machines on a scene.
@@ -157,6 +162,8 @@ impl Compared {
         if let Some(multisample) = profile.multisample.take() {
             saved.push(without_samples(&profile, multisample.samples)?);
         }
+        let unneeded = need::channels(&scene, &profile)?;
+        saved.extend(without_channels(&mut profile, unneeded)?);
         let dropped = scene.dropped as u64;
         let reference = Reference::new(scene, &profile);
         Ok(Self { reference, profile, stages: Vec::new(), dropped, saved })
@@ -217,30 +224,63 @@ impl Compared {
 
 /// Machines are compared at one sample a pixel: what the others would take.
 fn without_samples(profile: &Profile, samples: u32) -> Result<Saved, InvalidProfile> {
-    let cost = estimate(&Profile { depth: None, ..profile.clone() })?;
-    let all = |count: Count| count.add + count.multiply + count.divide + count.compare;
+    let cost = estimate(&Profile { depth: None, channel: Vec::new(), w: None, ..profile.clone() })?;
     let more = u64::from(samples - 1);
     Ok(Saved {
-        evaluator: "antialiasing",
-        why: "machines are compared at one sample a pixel",
+        evaluator: "antialiasing".to_owned(),
+        why: "machines are compared at one sample a pixel".to_owned(),
         triangle: more * all(cost.operations.triangle),
         fragment: more * all(cost.operations.visit + cost.operations.fragment),
         bits: (samples - 1) * cost.adder_bits,
+        area_um2: f64::from(samples - 1) * cost.ripple.area_um2,
     })
 }
 
 fn without_depth(profile: &Profile) -> Result<Saved, InvalidProfile> {
-    let with = estimate(profile)?;
-    let without = estimate(&Profile { depth: None, ..profile.clone() })?;
-    let all = |count: Count| count.add + count.multiply + count.divide + count.compare;
+    let less = Profile { depth: None, ..profile.clone() };
+    without(profile, &less, "depth".to_owned(), "no triangle of the scene has depth".to_owned())
+}
+
+/// Leaves channels out one after another, and the plane of 1/w with the last that walks it.
+fn without_channels(
+    profile: &mut Profile,
+    unneeded: Vec<(String, String)>,
+) -> Result<Vec<Saved>, InvalidProfile> {
+    let mut saved = Vec::new();
+    for (name, why) in unneeded {
+        let mut less = profile.clone();
+        less.channel.retain(|channel| channel.name != name);
+        if !less.channel.iter().any(|channel| channel.correction.walks_w()) {
+            less.w = None;
+        }
+        saved.push(without(profile, &less, format!("channel {name}"), why)?);
+        *profile = less;
+    }
+    Ok(saved)
+}
+
+/// What a profile with less takes less.
+fn without(
+    profile: &Profile,
+    less: &Profile,
+    evaluator: String,
+    why: String,
+) -> Result<Saved, InvalidProfile> {
+    let (with, without) = (estimate(profile)?, estimate(less)?);
     let [more, less] = [with.operations, without.operations];
     Ok(Saved {
-        evaluator: "depth",
-        why: "no triangle of the scene has depth",
+        evaluator,
+        why,
         triangle: all(more.triangle) - all(less.triangle),
         fragment: all(more.fragment) - all(less.fragment),
         bits: with.adder_bits - without.adder_bits,
+        area_um2: with.ripple.area_um2 - without.ripple.area_um2,
     })
+}
+
+/// Operations of any kind.
+fn all(count: Count) -> u64 {
+    count.add + count.multiply + count.divide + count.compare
 }
 
 fn row(kind: &Kind, stage: &Stage, profile: &Profile, timed: bool) -> Result<Row, InvalidProfile> {
@@ -261,6 +301,7 @@ fn row(kind: &Kind, stage: &Stage, profile: &Profile, timed: bool) -> Result<Row
         depth_mean_ulp: depth.map(|spread| spread.mean),
         depth_of_bound: used.depth,
         beyond_bound: used.beyond,
+        channels: channels(stage, &drawn, profile)?,
         inversions: deviation.inversions,
         ops: shares(&cost.operations, &drawn.work, stage.runs.len() as u64, fragments),
         accumulator_bits: cost.adder_bits,
@@ -268,6 +309,16 @@ fn row(kind: &Kind, stage: &Stage, profile: &Profile, timed: bool) -> Result<Row
         fragments,
         ns_per_fragment: if timed { time(stage, profile, fragments)? } else { None },
     })
+}
+
+fn channels(
+    stage: &Stage,
+    drawn: &Drawn,
+    profile: &Profile,
+) -> Result<Vec<ChannelError>, InvalidProfile> {
+    let (model, wanted) = (Model::new(profile)?, vec![true; profile.channel.len()]);
+    let tally = measure_channels(stage, drawn, &model, &wanted);
+    Ok(tally.map_or_else(Vec::new, |tally| tally.report(profile)))
 }
 
 /// Operations over what was counted.

@@ -206,6 +206,61 @@ fn pictures_show_channels_of_a_mesh() {
     render("--show channel").complains(2, &["m.obj: line 9: `f` crosses itself"]);
 }
 
+/// Clauses A-12 and M-9: the errors of a channel for every machine, by hand, and as a picture with its scale. The code
+/// of `r` is x + 1/2 exactly; half a code is added and the fraction is cut off, so that each is 1/2 too large. `g`
+/// is 0. A value for each triangle needs no channel.
+#[test]
+fn errors_of_a_channel_are_compared_and_drawn() {
+    let home = tempfile::tempdir().unwrap();
+    let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
+    let affine = "start-bias = \"half\"\ncorrection = \"affine\"";
+    let channels =
+        channel("color", r#"["r", "g"]"#, 8, affine) + &channel("face", r#"["id"]"#, 8, affine);
+    std::fs::write(home.path().join("p.toml"), tiny + &channels).unwrap();
+    let end = 4.0 / 255.0;
+    let line = format!(
+        r#"{{"f": [[0,0],[4,0],[0,4]], "channels": {{"color": [[0,0],[{end},0],[0,0]], "face": [[1],[1],[1]]}}}}"#
+    );
+    std::fs::write(home.path().join("s.jsonl"), line).unwrap();
+    let run = |line: &str| run_in(home.path(), line).ends(0);
+    let ran = run("compare p.toml --scene s.jsonl --no-time --json");
+    let report: serde_json::Value = serde_json::from_str(&ran.out).unwrap();
+    for row in report["machines"].as_array().unwrap() {
+        let channels = row["channels"].as_array().unwrap();
+        assert_eq!(channels.len(), 1, "{row}");
+        let ulp = &channels[0]["ulp"];
+        for (figure, want) in [("worst", 0.5), ("mean", 0.25), ("rms", 0.125f64.sqrt())] {
+            let seen = ulp[figure].as_f64().unwrap();
+            assert!((seen - want).abs() < 1e-9, "{}: {figure} {seen}", row["name"]);
+        }
+    }
+    // The scene has no depth, either.
+    let saved = report["saved"].as_array().unwrap();
+    assert_eq!((saved.len(), &saved[1]["evaluator"]), (2, &"channel face".into()));
+    assert!(saved[1]["area_um2"].as_f64().unwrap() > 0.0, "{saved:?}");
+    let ran = run("compare p.toml --scene s.jsonl --no-time");
+    assert!(ran.out.contains("left out: channel face (the scene has one value"), "{}", ran.out);
+    let ran = run("compare p.toml --scene knot --no-time");
+    assert!(ran.out.contains("left out: channel color (the vertices"), "{}", ran.out);
+    let render = "render p.toml --scene s.jsonl --window 4x4 --show error --out e.png";
+    let ran = run(&format!("{render} --channel color"));
+    let want = "0 missing, 0 extra, error of color worst 0.500 mean 0.500 ULP; blue: 1/512 ULP or \
+                less, red: 1/2 ULP";
+    assert!(ran.out.contains(want), "{}", ran.out);
+    let file = std::fs::File::open(home.path().join("e.png")).unwrap();
+    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
+    let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+    reader.next_frame(&mut pixels).unwrap();
+    // 4 pixels, each of 64 x 64, and a legend of 32 rows; every covered pixel is at the end of the scale.
+    assert_eq!((reader.info().width, reader.info().height), (256, 256 + 32));
+    assert_eq!(pixels[..3], [206, 44, 40]);
+    run_in(home.path(), &format!("{render} --channel none")).complains(2, &["color, face"]);
+    run_in(home.path(), "render tiny --show error --channel color")
+        .complains(2, &["has no channels"]);
+    run_in(home.path(), "render p.toml --scene knot --show error --channel color")
+        .complains(2, &["no errors to show"]);
+}
+
 /// The README's profile draws a mesh with texture coordinates and colours, and its set verifies.
 #[test]
 fn the_readmes_profile_draws_a_mesh() {

@@ -116,7 +116,7 @@ fn an_evaluator_that_the_scene_does_not_need_is_left_out() {
     assert_eq!(row["accumulator_bits"], 3 * 35);
     let text = guardbit(&["compare", "--scene", path, "--window", "64x64", "--no-time"]);
     let text = String::from_utf8(text.stdout).unwrap();
-    assert!(text.contains("not needed: depth"), "{text}");
+    assert!(text.contains("left out: depth"), "{text}");
 }
 
 /// Clause O-4: orders read alike with wrapping accumulators, and some do not with others.

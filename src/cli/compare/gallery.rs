@@ -5,7 +5,7 @@ use super::{Arguments, interruptible};
 use crate::cli::Outcome;
 use crate::cli::failure::Failure;
 use crate::cli::output::{Output, check_place, write_text};
-use crate::cli::render::{BACKGROUND, Colour};
+use crate::cli::heat::{BACKGROUND, Colour};
 use crate::cli::report::data_uri;
 use guardbit::measure::accuracy::Reference;
 use guardbit::measure::gallery::{COLOUR_LIMIT, Mark, Panel, panel};

@@ -4,7 +4,7 @@ use super::{Request, compared, interruptible, number, picture};
 use crate::cli::Outcome;
 use crate::cli::failure::Failure;
 use crate::cli::output::{Output, write_text};
-use guardbit::measure::comparison::{Comparison, Row};
+use guardbit::measure::comparison::{Comparison, Row, Saved};
 
 pub(super) fn show(request: Request<'_>) -> Result<Outcome, Failure> {
     let (names, timed) = (request.machines(), request.timed());
@@ -144,6 +144,7 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
             number(f.compare)
         ))?;
     }
+    channels(output, machines)?;
     let unstated = machines.iter().filter(|row| bound(row) == "none").map(|row| row.name);
     let unstated: Vec<&str> = unstated.collect();
     if !unstated.is_empty() {
@@ -153,12 +154,40 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
             unstated.join(", ")
         ))?;
     }
-    for saved in saved {
+    for Saved { evaluator, why, triangle, fragment, bits, area_um2 } in saved {
+        let counts = [
+            (*triangle, "operations per triangle"),
+            (*fragment, "operations per fragment"),
+            (u64::from(*bits), "accumulator bits"),
+        ];
+        let counts = counts.iter().filter(|(count, _)| *count > 0);
+        let counts: String = counts.map(|(count, what)| format!("{count} {what}, ")).collect();
         output.line("")?;
         output.line(format!(
-            "not needed: {} ({}); without it: {} operations fewer per triangle, {} fewer per fragment, {} accumulator bits fewer",
-            saved.evaluator, saved.why, saved.triangle, saved.fragment, saved.bits
+            "left out: {evaluator} ({why}); saves {counts}{} um2",
+            number(*area_um2)
         ))?;
+    }
+    Ok(())
+}
+
+/// The errors of the channels that the scene needs, a line for each and machine.
+fn channels(output: &mut Output, machines: &[Row]) -> Result<(), Failure> {
+    if machines.iter().all(|row| row.channels.is_empty()) {
+        return Ok(());
+    }
+    output.line("")?;
+    output.line("                                      error of the code, ULP: all components")?;
+    output.line("machine           channel                  worst      mean       RMS")?;
+    for row in machines {
+        for channel in &row.channels {
+            let [worst, mean, rms] =
+                [channel.ulp.worst, channel.ulp.mean, channel.ulp.rms].map(number);
+            output.line(format!(
+                "{:<17} {:<18} {worst:>11} {mean:>9} {rms:>9}",
+                row.name, channel.name
+            ))?;
+        }
     }
     Ok(())
 }

@@ -1,6 +1,7 @@
 //! Error maps of all machines side by side, as one SVG.
 
 use crate::cli::failure::Failure;
+use crate::cli::heat::{self, Scale};
 use crate::cli::report::Map;
 use guardbit::measure::comparison::{Compared, Comparison};
 use std::fmt::Write as _;
@@ -28,9 +29,10 @@ pub(super) fn machines(
     let pitch = width.max(WORDS);
     let columns = u32::try_from(maps.len().clamp(1, COLUMNS)).unwrap_or(1);
     let rows = u32::try_from(maps.len().div_ceil(COLUMNS)).unwrap_or(1);
-    let (whole, tall) = (GAP + columns * (pitch + GAP), 40 + rows * (height + TITLE + GAP) + 48);
+    let (whole, tall) = (GAP + columns * (pitch + GAP), 40 + rows * (height + TITLE + GAP) + 72);
     let title = format!("{}: coverage and depth against exact", comparison.scene);
     let mut svg = head([whole, tall], &title);
+    let scale = Scale::of(maps.iter().map(|map| map.worst));
     for (n, (map, row)) in (0u32..).zip(maps.iter().zip(&comparison.machines)) {
         let (x, y) = (GAP + n % columns * (pitch + GAP), 40 + n / columns * (height + TITLE + GAP));
         let depth = row.depth_worst_ulp.map_or_else(String::new, |worst| {
@@ -54,18 +56,52 @@ pub(super) fn machines(
             y + 33,
             y + 50,
             y + TITLE,
-            map.uri()?
+            map.uri(scale)?
         );
     }
+    svg += &legend(scale, tall - 62);
     let _ = write!(
         svg,
-        "<text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">Blue to red: depth error; the scale of each map ends \
-         at the worst error of the map.</text>\n\
-         <text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">White: a missing sample. Magenta: an extra sample.</text>\n</svg>\n",
-        tall - 30,
-        tall - 12
+        "<text x=\"{GAP}\" y=\"{}\" fill=\"#646464\">{}</text>\n</svg>\n",
+        tall - 12,
+        heat::WRONG
     );
     Ok(svg)
+}
+
+/// The scale of the depth errors, with its marks.
+fn legend(scale: Scale, y: u32) -> String {
+    const WIDE: u32 = 280;
+    let colours: Vec<_> = heat::colours().collect();
+    let last = u32::try_from(colours.len() - 1).unwrap_or(1);
+    let mut svg = format!("<text x=\"{}\" y=\"{}\">depth error, ULP</text>\n", GAP + WIDE + 24, y + 10);
+    for (n, [r, g, b]) in (0u32..).zip(&colours) {
+        let [x, end] = [n, n + 1].map(|n| GAP + n * WIDE / (last + 1));
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{x}\" y=\"{y}\" width=\"{}\" height=\"12\" fill=\"rgb({r} {g} {b})\"/>",
+            end - x
+        );
+    }
+    let marks: Vec<String> = scale.marks().collect();
+    let last = u32::try_from(marks.len() - 1).unwrap_or(1);
+    for (n, mark) in (0u32..).zip(&marks) {
+        let x = GAP + n * WIDE / last;
+        // Those at the ends stay below the scale.
+        let anchor = if n == 0 {
+            "start"
+        } else if n == last {
+            "end"
+        } else {
+            "middle"
+        };
+        let _ = writeln!(
+            svg,
+            "<text x=\"{x}\" y=\"{}\" text-anchor=\"{anchor}\" fill=\"#646464\">{mark}</text>",
+            y + 26
+        );
+    }
+    svg
 }
 
 /// The beginning of a picture with a title.

@@ -4,8 +4,11 @@ use super::{Arguments, Canvas, Colour, Show, part};
 use crate::cli::failure::Failure;
 use crate::cli::sets::SnappedScene;
 use guardbit::machine::{Input, Sink};
+use guardbit::measure::accuracy::{Inspector, Reference, Stage, Truth};
+use guardbit::measure::error::{Tally, exact_rule};
 use guardbit::model::Model;
 use guardbit::profile::Profile;
+use guardbit::scene;
 use guardbit::value::AttributeConfig;
 
 /// What is painted, and how.
@@ -24,21 +27,7 @@ impl Paint {
             Show::Checker => Some(arguments.squares),
             _ => return Ok(None),
         };
-        let known: Vec<&str> =
-            profile.channel.iter().map(|channel| channel.name.as_str()).collect();
-        if known.is_empty() {
-            return Err(Failure::input(format!(
-                "{}: the profile has no channels; describe one with [[channel]]",
-                profile.name
-            )));
-        }
-        let number = match &arguments.channel {
-            None => 0,
-            Some(name) => known.iter().position(|known| known == name).ok_or_else(|| {
-                let known = known.join(", ");
-                Failure::input(format!("--channel {name}: the channels of the profile are {known}"))
-            })?,
-        };
+        let number = find(profile, arguments.channel.as_deref())?;
         let config = profile.channel[number].clone();
         if squares.is_some() && config.components.len() < 2 {
             return Err(Failure::input(format!(
@@ -88,6 +77,60 @@ impl Paint {
             [] => [0; 3],
         }
     }
+}
+
+/// The number of the channel of a name; the first without a name.
+pub(super) fn find(profile: &Profile, name: Option<&str>) -> Result<usize, Failure> {
+    let known: Vec<&str> = profile.channel.iter().map(|channel| channel.name.as_str()).collect();
+    if known.is_empty() {
+        return Err(Failure::input(format!(
+            "{}: the profile has no channels; describe one with [[channel]]",
+            profile.name
+        )));
+    }
+    let Some(name) = name else { return Ok(0) };
+    known.iter().position(|known| *known == name).ok_or_else(|| {
+        let known = known.join(", ");
+        Failure::input(format!("--channel {name}: the channels of the profile are {known}"))
+    })
+}
+
+/// The errors of a channel over a scene, against exact interpolation on the profile's grid.
+pub(super) fn draw_errors(
+    model: &Model,
+    source: &str,
+    channel: usize,
+    canvas: &mut Canvas,
+) -> Result<String, Failure> {
+    let profile = model.profile();
+    let reference = Reference::new(scene::load(source, &model.viewport())?, profile);
+    let (grid, clip) = (profile.grid().map_err(Failure::input)?, model.clip());
+    let truth = Truth::new(&reference, &grid, clip, exact_rule(&profile.form));
+    let stage = Stage::new(&reference, &truth, profile).map_err(Failure::input)?;
+    let inspector = Inspector::new(&stage, profile).map_err(Failure::input)?;
+    let mut total = Tally::default();
+    for face in 0..stage.faces.len() {
+        let measured = inspector.channel(face, channel, |x, y, error| {
+            total.note(error);
+            canvas.wrong(x, y, error);
+        });
+        if !measured {
+            return Err(Failure::input(format!(
+                "{source}: {} has no errors to show: the scene has no values for the channels of the \
+                 profile, or a value has no code in them",
+                profile.channel[channel].name
+            )));
+        }
+    }
+    Ok(format!(
+        "{} samples, {} missing, {} extra, error of {} worst {:.3} mean {:.3} ULP",
+        total.samples,
+        total.missing,
+        total.extra,
+        profile.channel[channel].name,
+        total.worst,
+        total.mean()
+    ))
 }
 
 /// Paints one triangle into a canvas, nearest depth in front.

@@ -2,7 +2,9 @@
 
 use super::drawn::Runs;
 use super::own::Held;
+use super::reference::real;
 use super::run::{Side, compare};
+use super::shade::Codes;
 use super::stage::{Face, Stage, Surface};
 use super::value::Walk;
 use crate::measure::error::SampleError;
@@ -68,5 +70,49 @@ impl<'a> Inspector<'a> {
                 each(x, run.y, error);
             }
         });
+    }
+
+    /// The same for a channel of the profile: the error of a sample that is covered and should be is that
+    /// of the channel's worst component, in units of its code's last place. False, and no call, where the
+    /// scene has no values for the channel.
+    pub fn channel(
+        &self,
+        number: usize,
+        channel: usize,
+        mut each: impl FnMut(u32, u32, SampleError),
+    ) -> bool {
+        let Some(shades) = &self.stage.shades else { return false };
+        let (stage, face) = (self.stage, &self.stage.faces[number]);
+        let (mut drawn, mut both) = (Runs::default(), Vec::new());
+        self.model.draw_own(&face.triangle, &mut drawn);
+        compare(&stage.runs[face.runs.clone()], &drawn.0, |side, run| {
+            let error = match side {
+                Side::Missing => SampleError::Missing,
+                Side::Extra => SampleError::Extra,
+                Side::Both => return both.push(run),
+            };
+            (run.x0..run.x1).for_each(|x| each(x, run.y, error));
+        });
+        let channels = &self.model.profile().channel;
+        let wanted: Vec<bool> = (0..channels.len()).map(|n| n == channel).collect();
+        let unit = real(channels[channel].unit());
+        let mut worst = Vec::new();
+        let last = channels[channel].components.len() - 1;
+        let found = &mut |at: Codes, codes: &[i64], exact: &[f64]| {
+            let errors = codes.iter().zip(exact);
+            let errors = errors.map(|(code, exact)| (real(i128::from(*code)) - exact * unit).abs());
+            if at.component == 0 {
+                worst.clear();
+                worst.extend(errors);
+            } else {
+                worst.iter_mut().zip(errors).for_each(|(worst, error)| *worst = worst.max(error));
+            }
+            if at.component == last {
+                for (x, error) in (at.x0..).zip(&worst) {
+                    each(x, at.y, SampleError::Depth(*error));
+                }
+            }
+        };
+        shades.codes((stage, &self.model), (number, &both), &wanted, found)
     }
 }

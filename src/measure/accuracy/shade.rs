@@ -208,17 +208,45 @@ impl Shades {
         wanted: &[bool],
         tally: &mut ChannelTally,
     ) -> bool {
-        let face = &stage.faces[number];
         let channels = &model.profile().channel;
-        let Ok(values) = model.shading(&self.given[number]) else {
+        let mut worse = false;
+        let drawn = self.codes((stage, model), (number, runs), wanted, &mut |found, codes, exact| {
+            let Codes { channel, component, y, x0 } = found;
+            let unit = real(channels[channel].unit());
+            let moments = &mut tally.moments[channel];
+            for (n, (code, exact)) in codes.iter().zip(exact).enumerate() {
+                #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
+                let error = *code as f64 - exact * unit;
+                if error.abs() > moments.worst {
+                    worse = true;
+                    let x = x0 + u32::try_from(n).unwrap_or(0);
+                    let (face, code, exact) = (number, *code, exact * unit);
+                    tally.worst[channel] = WorstCode { component, face, x, y, code, exact };
+                }
+                moments.note(error);
+            }
+        });
+        if !drawn {
             // A vertex has no code in these words: nothing is right.
             for (moments, _) in tally.moments.iter_mut().zip(wanted).filter(|(_, wanted)| **wanted)
             {
                 moments.note(f64::INFINITY);
             }
-            return true;
-        };
-        let mut worse = false;
+        }
+        worse || !drawn
+    }
+
+    /// Calls `each` with the codes of wanted channels along runs of a face that are drawn, and the real
+    /// numbers that they stand for; false, and no call, where a vertex has no code in the channel's words.
+    pub(super) fn codes(
+        &self,
+        (stage, model): (&Stage, &Model),
+        (number, runs): (usize, &[Span]),
+        wanted: &[bool],
+        each: &mut CodesSeen<'_>,
+    ) -> bool {
+        let face = &stage.faces[number];
+        let Ok(values) = model.shading(&self.given[number]) else { return false };
         let mut exact_runs = ExactRuns { stage, rest: face.runs.clone() };
         let mut last = None;
         let triangle = (&*face.triangle, face.turned);
@@ -229,25 +257,25 @@ impl Shades {
                 _ => exact_runs.find(&self.before, &run),
             };
             last = Some((run, first));
-            let unit = real(channels[channel].unit());
-            let moments = &mut tally.moments[channel];
             for (component, codes) in codes.iter().enumerate() {
                 let exact = &self.exact[channel][component][first..];
-                for (n, (code, exact)) in codes.iter().zip(exact).enumerate() {
-                    #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
-                    let error = *code as f64 - exact * unit;
-                    if error.abs() > moments.worst {
-                        worse = true;
-                        let x = run.x0 + u32::try_from(n).unwrap_or(0);
-                        let (face, y, code, exact) = (number, run.y, *code, exact * unit);
-                        tally.worst[channel] = WorstCode { component, face, x, y, code, exact };
-                    }
-                    moments.note(error);
-                }
+                each(Codes { channel, component, y, x0 }, codes, exact);
             }
         });
-        worse
+        true
     }
+}
+
+/// Takes codes along a run and what they should be, as real numbers before the unit.
+pub(super) type CodesSeen<'a> = dyn FnMut(Codes, &[i64], &[f64]) + 'a;
+
+/// Where codes along a run stand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Codes {
+    pub(super) channel: usize,
+    pub(super) component: usize,
+    pub(super) y: u32,
+    pub(super) x0: u32,
 }
 
 /// Finds exact runs, in order.
