@@ -258,8 +258,7 @@ impl Page<'_> {
 
 /// What the colours of the maps stand for.
 fn scale_bar(scale: Scale) -> String {
-    let mut out =
-        format!("<div class=\"scale\"><i style=\"background:{}\"></i>", heat::gradient());
+    let mut out = format!("<div class=\"scale\"><i style=\"background:{}\"></i>", heat::gradient());
     for mark in scale.marks() {
         let _ = write!(out, "<span>{mark}</span>");
     }

@@ -7,6 +7,7 @@
 //! makes each of them once for all budgets that share it.
 
 mod affine;
+mod channel_tally;
 mod drawn;
 mod find;
 mod inspect;
@@ -22,6 +23,7 @@ mod value;
 mod world;
 
 pub use affine::Affine;
+pub use channel_tally::{ChannelError, ChannelTally, WorstCode};
 pub use drawn::{Drawn, bounding_box, needed_width};
 pub use find::{Place, What};
 pub use inspect::{Inspector, Value as Inspected};
@@ -29,7 +31,7 @@ pub use moment::{Moments, Spread};
 pub use order::Pair;
 pub(super) use reference::reference_grid;
 pub use reference::{REFERENCE_BITS, RealFace, Reference, Truth};
-pub use shade::{Change, ChannelError, ChannelTally, Shades, WorstCode, measure_channels};
+pub use shade::{Change, Shades, measure_channels};
 pub use stage::{Face, Stage, Surface};
 pub use tally::{Accuracy, Deviation, Tally, ValueError, ValueTally};
 pub use value::{Reach, Values, face_values};

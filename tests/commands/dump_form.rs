@@ -32,7 +32,7 @@ fn a_simulators_latitude_is_accepted() {
 // Clause N-13
 #[test]
 fn keyed_rows_come_in_any_order_and_others_do_not() {
-    let golden = Golden::named("tiny", 1000);
+    let golden = Golden::named("tiny", 200);
     for name in ["span.exp.tv", "depth.exp.tv", "triangle.exp.tv"] {
         let text = golden.set.text(name);
         let mut lines: Vec<&str> = text.lines().collect();
@@ -131,7 +131,7 @@ fn rows_lost_from_an_ordered_file_are_told_from_wrong_ones() {
 
 #[test]
 fn a_dump_that_stops_early_is_said_to() {
-    let golden = Golden::named("tiny", 2000);
+    let golden = Golden::named("tiny", 300);
     for name in [
         "dda.exp.tv",
         "edge.exp.tv",
@@ -178,7 +178,7 @@ fn a_dump_that_stops_early_is_said_to() {
     let text = golden.set.text("edge.exp.tv");
     let report = golden.compare("edge.exp.tv", &format!("{text}0_00_0\n0_00_0\n")).unwrap();
     assert_eq!((report.total, report.short), (2, false));
-    assert_eq!(report.mismatches[0].line, Some(2001));
+    assert_eq!(report.mismatches[0].line, Some(301));
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn utf16(text: &str, low_first: bool) -> Vec<u8> {
 /// Clause N-13: what simulators and scripts write is read, and what was assumed is said.
 #[test]
 fn a_dump_may_have_the_forms_of_simulators() {
-    let golden = Golden::named("tiny", 600);
+    let golden = Golden::named("tiny", 150);
     let (sets, _) = check::open(&golden.set.folder()).unwrap();
     for name in ["dda.exp.tv", "setup.exp.tv", "depth.exp.tv"] {
         let text = golden.set.text(name);

@@ -277,9 +277,9 @@ pub(crate) fn order(_: &str) {
     let profile = "[traversal]\norder = \"bounding-box\"\nstamp = \"2x2\"\n\n[depth]";
     // By default the order is the profile's: its own in the second set, that of the files in the first.
     for (set, default) in [
-        (Set::new("tiny --count 1200"), "+fileorder"),
-        (Set::of("tiny", &[("[depth]", profile)], "--count 1200"), "+anyorder"),
-        (Set::of("sgi-4k", &[("[depth]", profile)], "--count 600"), "+anyorder"),
+        (Set::new("tiny --count 400"), "+fileorder"),
+        (Set::of("tiny", &[("[depth]", profile)], "--count 400"), "+anyorder"),
+        (Set::of("sgi-4k", &[("[depth]", profile)], "--count 200"), "+anyorder"),
     ] {
         let ours = stamps(&set);
         let file = |text: &str| std::fs::write(set.folder.join("stamps.sv"), text).unwrap();

@@ -1,5 +1,6 @@
 //! Defects of the devices, one at a time: each is caught by the benches of the default sets, and
-//! `verify --dut` names its cause. `GUARDBIT_MUTANT=edge` looks at those with that in their id only.
+//! `verify --dut` names its cause. `GUARDBIT_MUTANT=edge` looks at those with that in their id only,
+//! `GUARDBIT_PART=2/3` at every third of them, from the second on.
 
 // Clause J-5.
 use crate::run::run_in;
@@ -174,11 +175,24 @@ pub(crate) fn of_channels(_: &str) {
     look_at("unit_mutants", "long_defects_of_units -- --ignored", &sets, 30);
 }
 
+/// Which of how many parts of the mutants to look at.
+fn part() -> [usize; 2] {
+    let Ok(text) = std::env::var("GUARDBIT_PART") else { return [1, 1] };
+    let numbers: Vec<usize> = text.split('/').filter_map(|number| number.parse().ok()).collect();
+    match numbers[..] {
+        [part, parts] if 1 <= part && part <= parts => [part, parts],
+        _ => panic!("GUARDBIT_PART={text}: a part is 1/3, 2/3 or 3/3"),
+    }
+}
+
 /// Looks at the mutants of a file, which has at least so many that are defects.
 fn look_at(name: &str, command: &str, sets: &[PathBuf], least: usize) {
     let only = std::env::var("GUARDBIT_MUTANT").unwrap_or_default();
     let mutants = mutants(name).mutant.into_iter();
-    let mutants: Vec<Mutant> = mutants.filter(|mutant| mutant.id.contains(&only)).collect();
+    let [part, parts] = part();
+    let mutants: Vec<Mutant> =
+        mutants.filter(|mutant| mutant.id.contains(&only)).skip(part - 1).step_by(parts).collect();
+    let whole = only.is_empty() && parts == 1;
     let queue = Mutex::new(mutants.iter());
     let fates = Mutex::new(BTreeMap::new());
     thread::scope(|scope| {
@@ -194,7 +208,7 @@ fn look_at(name: &str, command: &str, sets: &[PathBuf], least: usize) {
         }
     });
     let fates = fates.into_inner().unwrap();
-    judge((name, command), &fates, only.is_empty().then_some(least));
+    judge((name, command), &fates, whole.then_some(least));
 }
 
 fn judge((name, command): (&str, &str), fates: &BTreeMap<String, Fate>, least: Option<usize>) {
@@ -244,8 +258,8 @@ fn judge((name, command): (&str, &str), fates: &BTreeMap<String, Fate>, least: O
         "\n| defect | kind | verdict | caught by |\n| --- | --- | --- | --- |\n{table}"
     );
     assert!(faults.is_empty(), "{faults:#?}");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/hdl/{name}.md"));
     if let Some(least) = least {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/hdl/{name}.md"));
         if std::env::var_os("GUARDBIT_WRITE").is_some() {
             std::fs::write(&path, &text).unwrap();
         }
@@ -253,5 +267,11 @@ fn judge((name, command): (&str, &str), fates: &BTreeMap<String, Fate>, least: O
         assert_eq!(written, text, "tests/hdl/{name}.md is not what the benches find");
         assert!(live >= least, "{live}");
         assert!(right * 5 >= live * 4, "{right} of {live} causes named");
+    } else {
+        // Of a part, each row stands as it was.
+        let written = std::fs::read_to_string(&path).unwrap();
+        for row in table.lines() {
+            assert!(written.lines().any(|line| line == row), "tests/hdl/{name}.md has not: {row}");
+        }
     }
 }

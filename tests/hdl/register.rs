@@ -9,7 +9,7 @@ use std::path::Path;
 pub(crate) fn quads(_: &str) {
     let tile = ("tile = 32, block = 4", "tile = 8, block = 2");
     let narrow = ("width = 32", "width = 24");
-    for (lines, count) in [(vec![], 900), (vec![narrow, tile], 2000)] {
+    for (lines, count) in [(vec![], 400), (vec![narrow, tile], 700)] {
         let set = Set::of("vortex", &lines, &format!("--count {count}"));
         build(&set.folder, &[], &["dut.sv"]);
         let (good, text) = bench(&set.folder, &[]);
@@ -23,7 +23,7 @@ pub(crate) fn quads(_: &str) {
         build(&set.folder, &["-DGUARDBIT_PARAMETERS"], &[hdl.to_str().unwrap()]);
         assert!(bench(&set.folder, &[]).0, "{text}");
     }
-    let set = Set::new("vortex --count 600");
+    let set = Set::new("vortex --count 300");
     let ours = set.read("dut.sv");
     for (what, with) in [
         // An edge, a corner of a part, its extent, the scissor, and a stream that does not wait.

@@ -139,7 +139,7 @@ pub(crate) fn other_orders(_: &str) {
 }
 
 pub(crate) fn defects(_: &str) {
-    let set = Set::new("tiny --count 1500");
+    let set = Set::new("tiny --count 500");
     let ours = set.read("dut.vhd");
     let set_up = "if rst = '1' then\n                held <= '0';";
     let engine = "if rst = '1' then\n                state <= IDLE;";

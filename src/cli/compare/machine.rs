@@ -161,10 +161,11 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
             (u64::from(*bits), "accumulator bits"),
         ];
         let counts = counts.iter().filter(|(count, _)| *count > 0);
-        let counts: String = counts.map(|(count, what)| format!("{count} {what}, ")).collect();
+        let counts: Vec<String> = counts.map(|(count, what)| format!("{count} {what}, ")).collect();
         output.line("")?;
         output.line(format!(
-            "left out: {evaluator} ({why}); saves {counts}{} um2",
+            "left out: {evaluator} ({why}); saves {}{} um2",
+            counts.concat(),
             number(*area_um2)
         ))?;
     }

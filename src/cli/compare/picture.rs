@@ -74,7 +74,8 @@ fn legend(scale: Scale, y: u32) -> String {
     const WIDE: u32 = 280;
     let colours: Vec<_> = heat::colours().collect();
     let last = u32::try_from(colours.len() - 1).unwrap_or(1);
-    let mut svg = format!("<text x=\"{}\" y=\"{}\">depth error, ULP</text>\n", GAP + WIDE + 24, y + 10);
+    let mut svg =
+        format!("<text x=\"{}\" y=\"{}\">depth error, ULP</text>\n", GAP + WIDE + 24, y + 10);
     for (n, [r, g, b]) in (0u32..).zip(&colours) {
         let [x, end] = [n, n + 1].map(|n| GAP + n * WIDE / (last + 1));
         let _ = writeln!(

@@ -1,17 +1,15 @@
 //! The errors of channels: what their codes should be at each sample of a stage, and how far off those of
 //! a profile are. Spec clause `M-9`.
 
+use super::channel_tally::{ChannelTally, WorstCode};
 use super::drawn::Drawn;
-use super::moment::{Moments, Spread};
 use super::reference::{Reference, real};
 use super::stage::{Face, Stage};
 use crate::cover::SampleGrid;
 use crate::model::{Model, Span};
-use crate::profile::Profile;
 use crate::scene::Shading;
 use crate::setup::edges;
 use crate::value::{AttributeConfig, Correction, EvaluatedAt, Provoking};
-use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 /// What the channels of a profile should be on a stage.
@@ -25,18 +23,6 @@ pub struct Shades {
     given: Vec<Shading>,
 }
 
-/// The errors of a channel's codes, as reported.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct ChannelError {
-    /// The channel.
-    pub name: String,
-    /// The code of the real number 1.
-    pub unit: f64,
-    /// In units of the code's last place, all components together.
-    pub ulp: Spread,
-}
-
 /// How a channel changes over triangles, in units of its code's last place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Change {
@@ -44,62 +30,6 @@ pub struct Change {
     pub over_a_face: (f64, usize),
     /// The farthest that a value in perspective lies from the affine one, with triangle and pixel.
     pub from_affine: (f64, usize, [u32; 2]),
-}
-
-/// The worst code that was found.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct WorstCode {
-    /// Component of the channel.
-    pub component: usize,
-    /// The triangle's place among the faces of its stage.
-    pub face: usize,
-    /// Column.
-    pub x: u32,
-    /// Row.
-    pub y: u32,
-    /// The code.
-    pub code: i64,
-    /// What it should be.
-    pub exact: f64,
-}
-
-/// What was measured of some channels.
-#[derive(Clone, Debug, Default)]
-pub struct ChannelTally {
-    /// By channel.
-    pub moments: Vec<Moments>,
-    /// By channel: the first of the worst codes.
-    pub worst: Vec<WorstCode>,
-}
-
-impl ChannelTally {
-    /// Nothing of so many channels.
-    pub fn of(channels: usize) -> Self {
-        let (moments, worst) = (Moments::default(), WorstCode::default());
-        Self { moments: vec![moments; channels], worst: vec![worst; channels] }
-    }
-
-    /// Adds what another has of the same channels.
-    pub fn merge(&mut self, other: &Self) {
-        for (n, moments) in other.moments.iter().enumerate() {
-            if moments.worst > self.moments[n].worst {
-                self.worst[n] = other.worst[n];
-            }
-            self.moments[n].merge(moments);
-        }
-    }
-
-    /// The report, of those channels of a profile that were measured.
-    pub fn report(&self, profile: &Profile) -> Vec<ChannelError> {
-        let channels = profile.channel.iter().zip(&self.moments);
-        let measured = channels.filter(|(_, moments)| moments.count > 0);
-        let report = |(config, moments): (&AttributeConfig, &Moments)| ChannelError {
-            name: config.name.clone(),
-            unit: real(config.unit()),
-            ulp: moments.spread(),
-        };
-        measured.map(report).collect()
-    }
 }
 
 /// Where a channel is evaluated, where a pixel has one sample.
@@ -210,22 +140,23 @@ impl Shades {
     ) -> bool {
         let channels = &model.profile().channel;
         let mut worse = false;
-        let drawn = self.codes((stage, model), (number, runs), wanted, &mut |found, codes, exact| {
-            let Codes { channel, component, y, x0 } = found;
-            let unit = real(channels[channel].unit());
-            let moments = &mut tally.moments[channel];
-            for (n, (code, exact)) in codes.iter().zip(exact).enumerate() {
-                #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
-                let error = *code as f64 - exact * unit;
-                if error.abs() > moments.worst {
-                    worse = true;
-                    let x = x0 + u32::try_from(n).unwrap_or(0);
-                    let (face, code, exact) = (number, *code, exact * unit);
-                    tally.worst[channel] = WorstCode { component, face, x, y, code, exact };
+        let drawn =
+            self.codes((stage, model), (number, runs), wanted, &mut |found, codes, exact| {
+                let Codes { channel, component, y, x0 } = found;
+                let unit = real(channels[channel].unit());
+                let moments = &mut tally.moments[channel];
+                for (n, (code, exact)) in codes.iter().zip(exact).enumerate() {
+                    #[allow(clippy::cast_precision_loss, reason = "a code has at most 32 bits")]
+                    let error = *code as f64 - exact * unit;
+                    if error.abs() > moments.worst {
+                        worse = true;
+                        let x = x0 + u32::try_from(n).unwrap_or(0);
+                        let (face, code, exact) = (number, *code, exact * unit);
+                        tally.worst[channel] = WorstCode { component, face, x, y, code, exact };
+                    }
+                    moments.note(error);
                 }
-                moments.note(error);
-            }
-        });
+            });
         if !drawn {
             // A vertex has no code in these words: nothing is right.
             for (moments, _) in tally.moments.iter_mut().zip(wanted).filter(|(_, wanted)| **wanted)

@@ -1,7 +1,7 @@
 //! What errors add up to, while they are counted and as they are reported. Spec clause `M-2`.
 
+use super::channel_tally::ChannelError;
 use super::moment::{Moments, Spread};
-use super::shade::ChannelError;
 use super::world::World;
 use serde::{Deserialize, Serialize};
 
