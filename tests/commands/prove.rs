@@ -13,7 +13,7 @@ use num_traits::Signed;
 use run::{Ran, guardbit, run_in};
 
 const PLAIN: Overrides =
-    Overrides { window: None, guard_band: None, sub_pixel: None, depth_bits: None };
+    Overrides { window: None, guard_band: None, sub_pixel: None, depth_bits: None, w_ratio: None };
 
 fn find(proofs: &[Proof], claim: &str) -> Proof {
     proofs.iter().find(|proof| proof.claim == claim).unwrap().clone()
