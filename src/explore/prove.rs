@@ -118,11 +118,13 @@ impl Proof {
 
 /// Every claim that the question's profile calls for; the stored edge width comes first.
 pub fn prove(question: &Question) -> Vec<Proof> {
-    let mut proofs = edge::proofs(question);
-    proofs.extend(walk::proofs(question));
-    proofs.extend(plane::proofs(question, &plane::Subject::depth()));
-    proofs.extend(guard::proof(question, &plane::Subject::depth()));
-    proofs.extend(slope::proof(question));
+    // Counterexamples of coverage and depth are drawn without channels.
+    let plain = question.without_channels();
+    let mut proofs = edge::proofs(&plain);
+    proofs.extend(walk::proofs(&plain));
+    proofs.extend(plane::proofs(&plain, &plane::Subject::depth()));
+    proofs.extend(guard::proof(&plain, &plane::Subject::depth()));
+    proofs.extend(slope::proof(&plain));
     proofs.extend(channel::proofs(question));
     proofs
 }

@@ -117,10 +117,9 @@ fn as_depth(question: &Question, channel: &AttributeConfig) -> Option<Question> 
         start_bias: channel.start_bias,
         format: None,
     };
-    let mut question = question.clone();
+    let mut question = question.without_channels();
     let profile = &mut question.profile;
-    (profile.depth, profile.w, profile.multisample) = (Some(depth), None, None);
-    profile.channel.clear();
+    (profile.depth, profile.multisample) = (Some(depth), None);
     profile.validate().is_ok().then_some(question)
 }
 

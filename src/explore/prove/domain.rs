@@ -221,6 +221,14 @@ impl Question {
         format!("window {w} x {h}{from}, s = {s}, vertices {vertices} pixels{ratio}")
     }
 
+    /// The same question of a profile that carries nothing beside depth.
+    pub(super) fn without_channels(&self) -> Self {
+        let mut question = self.clone();
+        question.profile.w = None;
+        question.profile.channel.clear();
+        question
+    }
+
     /// The smallest code of 1/w of a vertex, of so many bits: the nearest vertex has the largest one (`CH-4`).
     pub(super) fn least_w(&self, bits: u32) -> i128 {
         (((1 << bits) - 1) / i128::from(self.w_ratio)).max(1)
