@@ -13,6 +13,7 @@ use crate::machine::EveryLinear;
 use crate::setup::Division;
 use crate::value::{AttributeConfig, InverseWConfig};
 use num_traits::Zero;
+use std::fmt::Write as _;
 
 /// A linear value, and the words that carry it.
 pub(super) struct CarriedValue<'a> {
@@ -153,7 +154,8 @@ impl<'a> CarriedValue<'a> {
                 .to_owned()
         };
         if let Some(bits) = bits {
-            statement += &format!(
+            let _ = write!(
+                statement,
                 " The word needs {bits} guard + {} integer + {} interpolation = {} bits.",
                 self.integer,
                 self.fraction,

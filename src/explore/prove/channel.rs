@@ -13,6 +13,7 @@ use crate::profile::Profile;
 use crate::value::{
     AttributeConfig, Correction, DepthConfig, EvaluatedAt, InverseWConfig, StartBias,
 };
+use std::fmt::Write as _;
 
 /// More bits than any word has.
 pub(super) const MOST: u32 = 120;
@@ -156,7 +157,7 @@ fn affine(question: &Question, channel: &AttributeConfig) -> Vec<Proof> {
         Some(error) => first.statement += &with_own_bits(error),
         None => first.statement += " No bound of the codes is proved, see the claim on guard bits.",
     }
-    first.statement += &format!(" {}.", granted(question));
+    let _ = write!(first.statement, " {}.", granted(question));
     first.error = error.map(|error| error.to_string());
     proofs
 }
@@ -243,7 +244,7 @@ fn coordinates(question: &Question, channel: &AttributeConfig, given: u32) -> Pr
     if let Some(own) = &own {
         statement += &with_own_bits(own);
     }
-    statement += &format!(" {}.", granted(question));
+    let _ = write!(statement, " {}.", granted(question));
     let inequality = |bits: u32| {
         let relation = if error(bits) < half { "<" } else { ">=" };
         format!(

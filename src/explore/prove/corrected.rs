@@ -11,6 +11,7 @@ use super::text::bits as count;
 use crate::exact::{Rational, dyadic, integer};
 use crate::value::{AttributeConfig, Correction, InverseWConfig};
 use num_traits::Signed;
+use std::fmt::Write as _;
 
 /// A channel that is divided at each sample.
 pub(super) struct Corrected<'a> {
@@ -125,7 +126,8 @@ impl<'a> Corrected<'a> {
             let unit = &self.stages.top * self.stages.unit_error(MOST);
             if unit >= half {
                 format!(
-                    "the reciprocal unit alone makes {} >= 1/2: its relative error must be below 1/{}, so give its table \
+                    "the reciprocal unit alone makes {} >= 1/2: its relative error must be below 1/{}, so give \
+                     its table \
                      or its last step more bits",
                     about(&unit),
                     &self.stages.top * integer(2)
@@ -156,7 +158,8 @@ impl<'a> Corrected<'a> {
         let errors = self.incoming([over, inverse]);
         let of = |pick: &dyn Fn(&Incoming) -> String| errors.as_ref().map_or("?".to_owned(), pick);
         let mut text = format!(
-            "u/w is {} to {over} bits, off by at most {} ULP; 1/w is {} to {inverse} bits, off by at most {} of its codes, \
+            "u/w is {} to {over} bits, off by at most {} ULP; 1/w is {} to {inverse} bits, off by at most {} of \
+             its codes, \
              which are {} to {}",
             self.over.walk(),
             of(&|errors| errors.p.to_string()),
@@ -166,9 +169,10 @@ impl<'a> Corrected<'a> {
             (1i128 << self.stages.bits) - 1
         );
         if self.stages.unit.is_some() {
-            text += &format!(
+            let _ = write!(
+                text,
                 "; the reciprocal is off by at most {} of itself",
-                of(&|errors| errors.unit.to_string())
+                of(&|errors| about(&errors.unit))
             );
         }
         format!(
@@ -185,7 +189,8 @@ impl<'a> Corrected<'a> {
             None => " With the bits of the profile no bound of the codes is proved.".to_owned(),
         };
         format!(
-            "{own} Stages: {}. {}; no accumulator wraps, as the claims on guard bits say; the largest w of a triangle is at \
+            "{own} Stages: {}. {}; no accumulator wraps, as the claims on guard bits say; the largest w of a \
+             triangle is at \
              most {} times its smallest, and codes of 1/w are those of `CH-4`.",
             self.stages(),
             granted(self.question),
@@ -214,7 +219,8 @@ impl<'a> Corrected<'a> {
         let code = self.code_error();
         let mut statement = match bits {
             Some(bits) => format!(
-                "{} of interpolation keep {} within half an ULP before its last rounding, at every covered sample of the \
+                "{} of interpolation keep {} within half an ULP before its last rounding, at every covered \
+                 sample of the \
                  window, with {inverse} bits below the point of 1/w.",
                 count(bits),
                 codes(self.channel)
@@ -287,8 +293,10 @@ pub(super) fn of_w(
         None => "No number of bits below the point of 1/w is enough.".to_owned(),
     };
     if !unhelped.is_empty() {
-        statement += &format!(
-            " With the interpolation bits of the profile, no number of bits of 1/w is enough for: {}; see the claims of \
+        let _ = write!(
+            statement,
+            " With the interpolation bits of the profile, no number of bits of 1/w is enough for: {}; see the \
+             claims of \
              these channels.",
             unhelped.join(", ")
         );
