@@ -13,7 +13,7 @@ const QUESTIONS: [&str; 5] = ["sgi-4k", "tiny", "d3d11", "--table", "channels.to
 const CHANNELS: &str = r#"
 [w]
 guard = 1
-integer = 6
+integer = 7
 interpolation = 6
 rounding = "nearest-even"
 clamp = "guard"
