@@ -42,7 +42,9 @@ pub use multisampled::Multisampled;
 pub use own::{AddError, Own, OwnForm, add};
 pub use painter::{Painter, drawable};
 pub use port::{Ports, SetupError};
-pub use rasterizer::{Carries, Face, FormError, Intake, Kind, Polygons, Rasterizer, Step};
+pub use rasterizer::{
+    Carries, EveryLinear, Face, FormError, Intake, Kind, Polygons, Rasterizer, Step,
+};
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Descent, Emit, EngineConfig, HalfOrder,
     Largest, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig,

@@ -22,7 +22,7 @@ pub(crate) struct Options {
     /// Prove that a module of your own is a unit of the profile, for all inputs: its files in SystemVerilog or
     /// VHDL. The tools yosys and z3 do it, and ghdl for VHDL.
     #[arg(long, value_name = "FILE", num_args = 1.., requires = "block",
-          conflicts_with_all = ["claim", "table", "window", "guard_band", "sub_pixel", "depth_bits", "smt", "gappa", "check", "json"])]
+          conflicts_with_all = ["claim", "table", "window", "guard_band", "sub_pixel", "depth_bits", "w_ratio", "smt", "gappa", "check", "json"])]
     pub(crate) rtl: Vec<PathBuf>,
     /// The unit that the module is compared with.
     #[arg(long, value_name = "UNIT", requires = "rtl")]

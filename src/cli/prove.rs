@@ -13,7 +13,7 @@ use std::time::Duration;
 /// Prove how few bits are enough for a whole window and guard band.
 ///
 /// For each claim, the command prints a bound, and a counterexample for one bit fewer: a triangle that the
-/// model draws wrong. Exit status 1 if the profile has too few bits for a claim, or if a prover disagrees.
+/// model draws wrong. Of channels it also says how far a code is off at most. Exit status 1 if the profile has too few bits for a claim, or if a prover disagrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.
@@ -23,7 +23,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "PREFIX", default_value = "")]
     claim: String,
     /// Print a table of edge widths for the usual windows, instead of the claims of a profile.
-    #[arg(long, conflicts_with_all = ["profile", "window", "guard_band", "sub_pixel", "depth_bits"])]
+    #[arg(long, conflicts_with_all = ["profile", "window", "guard_band", "sub_pixel", "depth_bits", "w_ratio"])]
     table: bool,
     /// Window as WIDTHxHEIGHT; replaces the window of the profile.
     #[arg(long, value_name = "WxH", value_parser = super::parse_size)]
@@ -38,6 +38,10 @@ pub(crate) struct Arguments {
     /// Number of depth bits; replaces the value of the profile.
     #[arg(long, value_name = "BITS")]
     depth_bits: Option<u32>,
+    /// The largest w of a triangle is at most R times its smallest; for channels that are divided by 1/w.
+    #[arg(long, value_name = "R", default_value_t = prove::W_RATIO,
+          value_parser = clap::value_parser!(u32).range(1..))]
+    w_ratio: u32,
     /// Write the claims to this file as SMT-LIB 2.6.
     #[arg(long, value_name = "FILE")]
     smt: Option<PathBuf>,
@@ -120,8 +124,9 @@ fn ask(arguments: &Arguments) -> Result<(String, Vec<Proof>), Failure> {
         ("Number of bits for the whole edge function (full), and without its low s bits (stored):".to_owned(), proofs)
     } else {
         let profile = profile::load(&arguments.profile)?;
-        let Arguments { window, guard_band, sub_pixel, depth_bits, .. } = *arguments;
-        let overrides = Overrides { window, guard_band, sub_pixel, depth_bits };
+        let Arguments { window, guard_band, sub_pixel, depth_bits, w_ratio, .. } = *arguments;
+        let w_ratio = Some(w_ratio);
+        let overrides = Overrides { window, guard_band, sub_pixel, depth_bits, w_ratio };
         let question = Question::new(&profile, overrides).map_err(Failure::input)?;
         let about = format!("{}: {}", question.profile.name, question.place());
         (about, prove::prove(&question))
@@ -147,7 +152,7 @@ fn write_files(arguments: &Arguments, proofs: &[Proof]) -> Result<(), Failure> {
             path,
             prove::gappa(proofs).ok_or_else(|| {
                 Failure::input("--gappa: Gappa cannot check any of the selected claims")
-                    .hint("Gappa can check edge.full, edge.stored and depth.interpolation")
+                    .hint("Gappa can check edge.full, edge.stored, depth.interpolation and channel.NAME.interpolation")
             })?,
         )),
         None => None,
@@ -223,6 +228,9 @@ fn describe(witness: &Witness) -> String {
     }
     if let Some([a, b, c]) = witness.depths {
         let _ = write!(text, ", depths {a} {b} {c}");
+    }
+    if let Some([a, b, c]) = witness.codes {
+        let _ = write!(text, ", codes {a} {b} {c}");
     }
     if let Some(edge) = witness.edge.filter(|_| witness.triangle.is_empty()) {
         let _ = write!(text, " edge {} in sub-pixels", points(&edge));

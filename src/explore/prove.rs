@@ -15,6 +15,11 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod carried;
+mod channel;
+mod channel_formal;
+mod corrected;
+mod correction;
 mod domain;
 mod edge;
 mod edge_coefficient;
@@ -33,7 +38,7 @@ mod trial;
 mod walk;
 mod walk_coverage;
 
-pub use domain::{Overrides, Question, QuestionError};
+pub use domain::{Overrides, Question, QuestionError, W_RATIO};
 pub use gappa::script as gappa;
 pub use smt::script as smt;
 pub use solver::{Answer, Check, Solver, check};
@@ -51,8 +56,12 @@ pub struct Proof {
     pub row: Option<String>,
     /// Window, grid and vertex box that it is made for.
     pub place: String,
-    /// What is claimed, in a sentence or two.
+    /// What is claimed, in a few sentences.
     pub statement: String,
+    /// How far a code of a channel is off at most with the bits that the profile has, in ULP; a fraction such as
+    /// `577/512`. None where no bound is proved, and in claims that are not about codes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub error: Option<String>,
     /// The fewest bits proved to suffice; none where no number of bits is.
     pub bits: Option<u32>,
     /// The bits that the profile has, where it has such a word.
@@ -81,6 +90,9 @@ pub struct Witness {
     pub triangle: Vec<[i128; 2]>,
     /// Their depths, if it is about depth.
     pub depths: Option<[i128; 3]>,
+    /// Their codes, if it is about a channel.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub codes: Option<[i128; 3]>,
     /// The edge at fault, from vertex to vertex.
     pub edge: Option<[[i128; 2]; 2]>,
     /// The pixel.
@@ -106,10 +118,13 @@ impl Proof {
 
 /// Every claim that the question's profile calls for; the stored edge width comes first.
 pub fn prove(question: &Question) -> Vec<Proof> {
-    let mut proofs = edge::proofs(question);
-    proofs.extend(walk::proofs(question));
-    proofs.extend(plane::proofs(question));
-    proofs.extend(guard::proof(question));
-    proofs.extend(slope::proof(question));
+    // Counterexamples of coverage and depth are drawn without channels.
+    let plain = question.without_channels();
+    let mut proofs = edge::proofs(&plain);
+    proofs.extend(walk::proofs(&plain));
+    proofs.extend(plane::proofs(&plain, &plane::Subject::depth()));
+    proofs.extend(guard::proof(&plain, &plane::Subject::depth()));
+    proofs.extend(slope::proof(&plain));
+    proofs.extend(channel::proofs(question));
     proofs
 }

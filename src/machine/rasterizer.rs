@@ -2,9 +2,10 @@
 //! machine. Nothing here has a default that would be wrong for a machine nobody knows yet: what a machine
 //! does not say is "no" or "not stated", and is reported so.
 
-use super::{Datapath, Form, Machine, RasterState, RegisterDevice, Site, Word};
+use super::{Datapath, Form, Machine, RasterState, RegisterDevice, Site, Word, rounding_error};
+use crate::bits::Rounding;
 use crate::cover::{EdgeWordConfig, FillRule, SampleGrid};
-use crate::exact::{PlaneNumerator, Rational};
+use crate::exact::{PlaneNumerator, Rational, integer};
 use crate::format::{Decision, ReadOut, Refused, Value};
 use crate::setup::Triangle;
 use crate::value::ChannelConfig;
@@ -103,6 +104,21 @@ pub struct Face<'a> {
     pub bounds: [u32; 4],
 }
 
+/// Every value that is linear in the window and has such words: for bounds over a whole window.
+#[derive(Clone, Debug)]
+pub struct EveryLinear {
+    /// Columns and rows of the window.
+    pub window: [i128; 2],
+    /// The largest difference of the values of two vertices.
+    pub rise: Rational,
+    /// The largest change from a pixel to the next in its row.
+    pub steepest: Rational,
+    /// Rounding of what set-up makes.
+    pub rounding: Rounding,
+    /// Fraction bits of the accumulator.
+    pub fraction: u32,
+}
+
 /// A machine as a profile configures it.
 pub trait Rasterizer: std::fmt::Debug + Send + Sync {
     /// What is known of every machine of this kind.
@@ -144,6 +160,16 @@ pub trait Rasterizer: std::fmt::Debug + Send + Sync {
         face: &Face<'_>,
         exact: &PlaneNumerator,
     ) -> Option<Rational>;
+
+    /// The bound of the error of the accumulator of every such value, at every sample of the window that a triangle
+    /// covers, under an exact division; `None` if no bound is stated. Spec clause `CH-22`.
+    fn window_bound(&self, value: &EveryLinear) -> Option<Rational> {
+        let planes = self.walks_a_plane() && self.carries() != Carries::Nothing;
+        planes.then(|| {
+            integer(value.window[0] + value.window[1] - 1)
+                * rounding_error(value.rounding, value.fraction)
+        })
+    }
 
     /// Whether the stated bound of coverage leaves room for the sample at this position, in sub-pixels, to
     /// be misplaced; `None` if no bound is stated.

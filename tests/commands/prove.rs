@@ -13,7 +13,7 @@ use num_traits::Signed;
 use run::{Ran, guardbit, run_in};
 
 const PLAIN: Overrides =
-    Overrides { window: None, guard_band: None, sub_pixel: None, depth_bits: None };
+    Overrides { window: None, guard_band: None, sub_pixel: None, depth_bits: None, w_ratio: None };
 
 fn find(proofs: &[Proof], claim: &str) -> Proof {
     proofs.iter().find(|proof| proof.claim == claim).unwrap().clone()
@@ -480,6 +480,67 @@ fn prover_files_are_well_formed() {
     assert!(prove::gappa(&[find(&ask("tiny", PLAIN), "depth.guard")]).is_none());
 }
 
+/// `tiny` with a channel of each correction that has a bound.
+fn with_channels() -> String {
+    let channel = |name: &str, correction: &str| {
+        format!(
+            "[[channel]]\nname = \"{name}\"\ncomponents = [\"s\"]\nguard = 1\ninteger = 3\ninterpolation = 10\n\
+             rounding = \"nearest-even\"\nclamp = \"guard\"\ncorrection = {correction}\n"
+        )
+    };
+    load("tiny").unwrap().to_toml()
+        + "\n[w]\nguard = 1\ninteger = 6\ninterpolation = 6\nrounding = \"nearest-even\"\nclamp = \"guard\"\n"
+        + &channel("color", "\"affine\"")
+        + &channel("map", "{ quotient = { rounding = \"nearest-even\" } }")
+        + &channel(
+            "cube",
+            "{ reciprocal = { rounding = \"floor\", unit = { operand = 8, index = 3, entry = 9, \
+             refine = \"linear\" } } }",
+        )
+        + &channel("glow", "{ barycentric = { bits = 8, rounding = \"floor\" } }")
+        + &channel("face", "{ flat = { provoking = \"last\" } }")
+}
+
+// Clauses CH-22 and CH-23.
+#[test]
+fn channels_are_bounded_by_the_command_and_written_for_provers() {
+    let home = tempfile::tempdir().unwrap();
+    std::fs::write(home.path().join("c.toml"), with_channels()).unwrap();
+    let ran = run_in(home.path(), "prove c.toml --claim channel.map --w-ratio 4").ends(0);
+    // 4 x 4 pixels: 7 roundings. 7 x 2^-6 of u/w with 5 bits, 7 x 2^-7 of 1/w, from floor(63 / 4) = 15.
+    for text in [
+        "w ratio at most 4",
+        "channel.map.interpolation: 5 bits, the profile has 10 -> enough  (CH-22)",
+        "(7/64 x 2^6 + 7 x 7/128) / (15 - 7/128) =",
+    ] {
+        assert!(ran.out.contains(text), "{}", ran.out);
+    }
+    assert!(ran.out.lines().all(|line| line.len() <= 100), "{}", ran.out);
+    let arguments = "prove c.toml --json --smt c.smt2 --gappa c.g";
+    let report = json(&run_in(home.path(), arguments).ends(0));
+    let rows = report["rows"].as_array().unwrap();
+    let error = |claim: &str| {
+        let row = rows.iter().find(|row| row["claim"] == claim).unwrap();
+        row["error"].as_str().map(str::to_owned)
+    };
+    // The affine code: 7 x 2^-11 and the floor. Coordinates: 2 x 7 x 2^-8 and the floor.
+    assert_eq!(error("channel.color.interpolation").as_deref(), Some("2055/2048"));
+    assert_eq!(error("channel.glow.coordinate").as_deref(), Some("135/128"));
+    assert_eq!(error("channel.face.interpolation").as_deref(), Some("0"));
+    assert_eq!(error("depth.interpolation"), None);
+    let read = |name| std::fs::read_to_string(home.path().join(name)).unwrap();
+    let (smt, gappa) = (read("c.smt2"), read("c.g"));
+    balanced(&smt, ';', ['(', ')']);
+    balanced(&gappa, '#', ['(', ')']);
+    balanced(&gappa, '#', ['{', '}']);
+    for claim in ["color.interpolation", "map.interpolation", "map.guard", "cube.interpolation"] {
+        assert!(smt.contains(&format!("(echo \"channel.{claim} with ")), "{claim}");
+    }
+    // Both planes are rounded, the quotient once more; only the unit has an error of its own.
+    assert!(gappa.contains("fixed<-10, ne>") && gappa.contains("fixed<-6, ne>"));
+    assert!(gappa.contains("fixed<0, ne>(w_") && gappa.contains("* (1 + r_"), "{gappa}");
+}
+
 fn json(ran: &Ran) -> serde_json::Value {
     serde_json::from_str(&ran.out).unwrap()
 }
@@ -543,6 +604,8 @@ fn questions_that_cannot_be_are_refused_with_the_nearest_that_can() {
         ("--claim nothing", &["--claim \"nothing\"", "edge.stored"]),
         ("--table --claim depth", &["--claim \"depth\""]),
         ("--table --window 4x4", &["cannot be used with"]),
+        ("--w-ratio 0", &["0"]),
+        ("--table --w-ratio 2", &["cannot be used with"]),
         ("--limit 0", &["0"]),
         ("no-such-profile", &["no-such-profile"]),
         ("--smt a --gappa a", &["name the same file"]),

@@ -7,7 +7,62 @@ use std::process::{Command, Stdio};
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
-const QUESTIONS: [&str; 4] = ["sgi-4k", "tiny", "d3d11", "--table"];
+const QUESTIONS: [&str; 5] = ["sgi-4k", "tiny", "d3d11", "--table", "channels.toml"];
+
+/// Channels of every correction that has a bound, which `channels.toml` has besides `tiny`.
+const CHANNELS: &str = r#"
+[w]
+guard = 1
+integer = 7
+interpolation = 6
+rounding = "nearest-even"
+clamp = "guard"
+[[channel]]
+name = "color"
+components = ["r"]
+guard = 1
+integer = 3
+interpolation = 3
+rounding = "nearest-even"
+clamp = "guard"
+correction = "affine"
+[[channel]]
+name = "map"
+components = ["s"]
+guard = 1
+integer = 3
+interpolation = 12
+rounding = "nearest-even"
+clamp = "guard"
+correction = { quotient = { rounding = "nearest-even" } }
+[[channel]]
+name = "normal"
+components = ["x"]
+guard = 1
+integer = 3
+interpolation = 12
+signed = true
+rounding = "floor"
+clamp = "guard"
+correction = { reciprocal = { rounding = "floor", unit = { operand = 8, index = 3, entry = 6, refine = { newton = { bits = [9] } } } } }
+[[channel]]
+name = "glow"
+components = ["l"]
+guard = 1
+integer = 3
+interpolation = 3
+rounding = "nearest-even"
+clamp = "guard"
+correction = { barycentric = { bits = 8, rounding = "floor" } }
+"#;
+
+/// A folder with the profile `channels.toml`.
+fn home() -> tempfile::TempDir {
+    let home = tempfile::tempdir().unwrap();
+    let tiny = run_in(home.path(), "profile show tiny").ends(0).out;
+    fs::write(home.path().join("channels.toml"), tiny + CHANNELS).unwrap();
+    home
+}
 
 pub(crate) fn z3_agrees_with_every_claim(_: &str) {
     agrees("z3");
@@ -21,7 +76,7 @@ pub(crate) fn gappa_agrees_with_every_claim(_: &str) {
 fn reports() -> &'static [(&'static str, serde_json::Value)] {
     static REPORTS: OnceLock<Vec<(&str, serde_json::Value)>> = OnceLock::new();
     REPORTS.get_or_init(|| {
-        let home = tempfile::tempdir().unwrap();
+        let home = home();
         let report = |question| {
             let ran = run_in(home.path(), &format!("prove {question} --check --json")).ends(0);
             (question, serde_json::from_str(&ran.out).unwrap())
@@ -43,7 +98,14 @@ fn agrees(prover: &str) {
         assert!(mine.iter().all(|one| one["answer"] == "agrees"), "{question}: {mine:#?}");
         let mut asked = claims(rows);
         // Gappa's language has no products of unknowns.
-        let taken = ["edge.full", "edge.stored", "depth.interpolation"];
+        let taken = [
+            "edge.full",
+            "edge.stored",
+            "depth.interpolation",
+            "channel.color.interpolation",
+            "channel.map.interpolation",
+            "channel.normal.interpolation",
+        ];
         asked.retain(|claim| prover == "z3" || taken.contains(&&**claim));
         assert!(asked.len() >= 3, "{question}: {asked:?}");
         assert_eq!(claims(Some(&mine)), asked, "{question}");
@@ -91,7 +153,7 @@ fn spoiled(text: &str, place: &str, from: &str, to: &str) -> String {
 }
 
 pub(crate) fn z3_reads_the_file_and_refutes_a_spoiled_one(z3: &str) {
-    let home = tempfile::tempdir().unwrap();
+    let home = home();
     let home = home.path();
     for question in QUESTIONS {
         let (text, bits) = written(home, question, "--smt");
@@ -117,7 +179,7 @@ pub(crate) fn z3_reads_the_file_and_refutes_a_spoiled_one(z3: &str) {
 }
 
 pub(crate) fn gappa_reads_the_file_and_refuses_a_spoiled_one(gappa: &str) {
-    let home = tempfile::tempdir().unwrap();
+    let home = home();
     let home = home.path();
     for question in QUESTIONS {
         let (text, bits) = written(home, question, "--gappa");

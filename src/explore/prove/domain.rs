@@ -15,6 +15,8 @@ pub struct Question {
     pub origin: [i128; 2],
     /// Lowest and highest vertex coordinates in sub-pixels, per axis, both included.
     pub vertices: [[i128; 2]; 2],
+    /// The largest w of a triangle is at most so many times its smallest.
+    pub w_ratio: u32,
     grid: SampleGrid,
 }
 
@@ -29,7 +31,12 @@ pub struct Overrides {
     pub sub_pixel: Option<u32>,
     /// Depth bits.
     pub depth_bits: Option<u32>,
+    /// How many times its smallest w the largest w of a triangle may be; [`W_RATIO`] when absent.
+    pub w_ratio: Option<u32>,
 }
+
+/// The w ratio that is asked about when nothing else is.
+pub const W_RATIO: u32 = 16;
 
 /// A question that cannot be asked.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -114,7 +121,8 @@ impl Question {
         let (low, high) = profile.vertex.range();
         let vertices = within.unwrap_or([[low; 2], [high; 2]]);
         let grid = profile.grid().map_err(InvalidProfile::from)?;
-        Ok(Self { profile, origin: [0; 2], vertices, grid })
+        let w_ratio = overrides.w_ratio.unwrap_or(W_RATIO).max(1);
+        Ok(Self { profile, origin: [0; 2], vertices, w_ratio, grid })
     }
 
     /// A square window of columns and rows `low` to `high`, vertices in it or within a guard band
@@ -205,7 +213,25 @@ impl Question {
         };
         let (x, y) = (range(0), range(1));
         let vertices = if x == y { x } else { format!("x {x}, y {y}") };
-        format!("window {w} x {h}{from}, s = {s}, vertices {vertices} pixels")
+        let ratio = if self.profile.channel.iter().any(|channel| channel.correction.walks_w()) {
+            format!(", w ratio at most {}", self.w_ratio)
+        } else {
+            String::new()
+        };
+        format!("window {w} x {h}{from}, s = {s}, vertices {vertices} pixels{ratio}")
+    }
+
+    /// The same question of a profile that carries nothing beside depth.
+    pub(super) fn without_channels(&self) -> Self {
+        let mut question = self.clone();
+        question.profile.w = None;
+        question.profile.channel.clear();
+        question
+    }
+
+    /// The smallest code of 1/w of a vertex, of so many bits: the nearest vertex has the largest one (`CH-4`).
+    pub(super) fn least_w(&self, bits: u32) -> i128 {
+        (((1 << bits) - 1) / i128::from(self.w_ratio)).max(1)
     }
 
     pub(super) fn size(&self) -> [i128; 2] {

@@ -81,6 +81,7 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
         ),
         bits: Some(bits),
         given,
+        error: None,
         sufficient: given.is_none_or(|given| given >= bits),
         bound: format!(
             "-2^{0} <= {low} and {high} <= 2^{0} - 1 over the 64 corners of vertex box and samples",
@@ -160,6 +161,7 @@ fn misread(question: &Question, storage: EdgeStorage, bits: u32) -> Option<Witne
                     by: "model",
                     triangle: triangle.xy.to_vec(),
                     depths: None,
+                    codes: None,
                     edge: Some(ends),
                     pixel: Some(pixel),
                     sample: Some(sample),

@@ -28,6 +28,7 @@ pub(super) fn coefficient(question: &Question) -> Proof {
         ),
         bits: Some(bits),
         given: None,
+        error: None,
         sufficient: true,
         bound: format!("|A|, |B| <= {most} <= 2^{} - 1", bits - 1),
         clause: "B-4",
@@ -56,6 +57,7 @@ fn register(value: i128, bits: u32) -> Option<Witness> {
         by: "word",
         triangle: Vec::new(),
         depths: None,
+        codes: None,
         edge: None,
         pixel: None,
         sample: None,
@@ -88,6 +90,7 @@ pub(super) fn constant(question: &Question) -> Proof {
         ),
         bits: Some(bits),
         given: None,
+        error: None,
         sufficient: true,
         bound: format!(
             "-2^{0} <= {low} and {high} <= 2^{0} - 1 over the 16 corner edges",

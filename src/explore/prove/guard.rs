@@ -2,7 +2,7 @@
 
 use super::domain::Question;
 use super::formal::{Formal, Obligation, Variable, real};
-use super::plane::Growth;
+use super::plane::{Growth, Subject};
 use super::plane_witness::start_bias;
 use super::text::point;
 use super::trial::{scaled, shoot};
@@ -15,10 +15,14 @@ use crate::value::DepthConfig;
 use num_traits::ToPrimitive;
 
 /// The accumulator values that covered samples can hold, in units of 2^-F.
-struct Reach {
+pub(super) struct Reach {
+    /// What the value can be without its error, in ULP.
+    values: [Rational; 2],
     /// The accumulated error, in units.
     error: Rational,
     nearest: bool,
+    /// What the start gains, in units.
+    bias: i128,
     low: i128,
     high: i128,
 }
@@ -26,19 +30,86 @@ struct Reach {
 impl Reach {
     fn new(question: &Question, depth: &DepthConfig) -> Option<Self> {
         let growth = Growth::new(question, depth);
-        let error = growth.at(depth.interpolation) * scaled(1, depth.interpolation);
-        // A rounding that is not to nearest stays strictly below its bound.
-        let whole = if growth.nearest { error.floor() } else { error.ceil() - integer(1) };
-        let most = whole.to_integer().to_i128()?;
-        let top = ((1_i128 << depth.integer) - 1) << depth.interpolation;
+        let values = [integer(0), integer((1 << depth.integer) - 1)];
         let bias = start_bias(depth, depth.interpolation);
-        let nearest = growth.nearest;
-        Some(Self {
-            error,
-            nearest,
-            low: bias - most,
-            high: top.checked_add(bias)?.checked_add(most)?,
+        let error = growth.at(depth.interpolation);
+        Self::of(values, &error, growth.nearest, bias, depth.interpolation)
+    }
+
+    /// For values between two, with an error in ULP, of which a rounding that is not to nearest stays strictly
+    /// below its bound.
+    pub(super) fn of(
+        values: [Rational; 2],
+        error: &Rational,
+        nearest: bool,
+        bias: i128,
+        fraction: u32,
+    ) -> Option<Self> {
+        let unit = scaled(1, fraction);
+        let (error, gain) = (error * &unit, integer(bias));
+        let low = &values[0] * &unit + &gain - &error;
+        let high = &values[1] * &unit + &gain + &error;
+        // An accumulator is an integer.
+        let [low, high] = if nearest {
+            [low.ceil(), high.floor()]
+        } else {
+            [low.floor() + integer(1), high.ceil() - integer(1)]
+        };
+        let [low, high] = [low, high].map(|end| end.to_integer().to_i128());
+        Some(Self { values, error, nearest, bias, low: low?, high: high? })
+    }
+
+    /// The fewest guard bits whose range holds all of them.
+    pub(super) fn fewest(&self, read_out: impl Fn(u32) -> Option<ReadOut>) -> Option<u32> {
+        (0..=120).find(|guard| {
+            read_out(*guard).is_some_and(|read| {
+                let (low, limit) = read.range();
+                low <= self.low && self.high < limit
+            })
         })
+    }
+
+    pub(super) fn text(&self, fraction: u32) -> String {
+        format!("accumulator {} to {} units of 2^-{fraction}", self.low, self.high)
+    }
+
+    /// That no accumulator leaves the ranges of so many guard bits.
+    pub(super) fn obligation(
+        &self,
+        bits: u32,
+        witness: Option<i128>,
+        fraction: u32,
+        range: impl Fn(u32) -> (i128, i128),
+    ) -> Obligation {
+        let outside = |bits| {
+            // An accumulator is an integer, so what is below the range is lower by one at least.
+            let (low, limit) = range(bits);
+            let [below, limit] = [low - 1, limit].map(|end| real(&integer(end)));
+            format!("(or (<= accumulator {below}) (>= accumulator {limit}))")
+        };
+        let fewer = witness.map(|accumulator| {
+            (outside(bits - 1), vec![("z", integer(0)), ("error", integer(accumulator))])
+        });
+        let (unit, bias) = (scaled(1, fraction), integer(self.bias));
+        let [low, high] = self.values.clone();
+        Obligation {
+            variables: vec![
+                Variable::closed("z", low, high),
+                Variable {
+                    name: "error",
+                    low: -self.error.clone(),
+                    high: self.error.clone(),
+                    open: !self.nearest,
+                },
+            ],
+            definitions: vec![(
+                "accumulator",
+                format!("(+ (* z {}) {} error)", real(&unit), real(&bias)),
+            )],
+            facts: Vec::new(),
+            violated: vec![outside(bits)],
+            fewer,
+        }
     }
 }
 
@@ -52,53 +123,58 @@ pub(super) fn fewest(question: &Question, depth: &DepthConfig) -> Option<u32> {
     if depth.clamp == Clamp::Saturate {
         return None;
     }
-    let reach = Reach::new(question, depth)?;
-    (0..=120).find(|guard| {
-        read_out(depth, *guard).is_some_and(|read| {
-            let (low, limit) = read.range();
-            low <= reach.low && reach.high < limit
-        })
-    })
+    Reach::new(question, depth)?.fewest(|guard| read_out(depth, guard))
+}
+
+/// The statement on guard bits.
+pub(super) fn statement(bits: Option<u32>, clamp: Clamp) -> String {
+    match bits {
+        Some(bits) => format!(
+            "{bits} guard bit{} the accumulator of every sample that is covered at its own \
+             position within the range that the read-out can decode. This does not hold for values \
+             taken outside their triangle: for them, no number of guard bits is enough.",
+            if bits == 1 { " keeps" } else { "s keep" }
+        ),
+        None => format!(
+            "No number of guard bits keeps covered samples in range under the clamp mode {}.",
+            clamp.name()
+        ),
+    }
 }
 
 /// The claim on guard bits, for a profile with depth.
-pub(super) fn proof(question: &Question) -> Option<Proof> {
+pub(super) fn proof(question: &Question, subject: &Subject) -> Option<Proof> {
     let depth = question.profile.depth?;
     let reach = Reach::new(question, &depth)?;
     let bits = fewest(question, &depth);
-    let witness =
-        bits.and_then(|bits| bits.checked_sub(1)).and_then(|n| wraps(question, &depth, n));
+    let witness = bits
+        .and_then(|bits| bits.checked_sub(1))
+        .filter(|_| subject.drawn)
+        .and_then(|n| wraps(question, &depth, n));
     let range = |bits: u32| read_out(&depth, bits).map(ReadOut::range).unwrap_or_default();
-    let sum = format!("{} to {} units of 2^-{}", reach.low, reach.high, depth.interpolation);
+    let sum = reach.text(depth.interpolation);
     Some(Proof {
-        claim: "depth.guard".to_owned(),
+        claim: format!("{}.guard", subject.topic),
         row: None,
         place: question.place(),
-        statement: match bits {
-            Some(bits) => format!(
-                "{bits} guard bit{} the accumulator of every sample that is covered at its own \
-                 position within the range that the read-out can decode. This does not hold for values \
-                 taken outside their triangle: for them, no number of guard bits is enough.",
-                if bits == 1 { " keeps" } else { "s keep" }
-            ),
-            None => format!(
-                "No number of guard bits keeps covered samples in range under the clamp mode {}.",
-                depth.clamp.name()
-            ),
-        },
+        statement: statement(bits, depth.clamp),
+        error: None,
         bits,
         given: Some(depth.guard),
         sufficient: bits.is_some_and(|bits| depth.guard >= bits),
         bound: match bits {
             Some(bits) => {
                 let (low, limit) = range(bits);
-                format!("accumulator {sum}, within [{low}, {limit})")
+                format!("{sum}, within [{low}, {limit})")
             }
-            None => format!("accumulator {sum}"),
+            None => sum,
         },
         clause: "B-7",
         formal: Formal {
-            smt: bits.map(|bits| obligation(&depth, &reach, bits, witness.as_ref(), range)),
+            smt: bits.map(|bits| {
+                let accumulator = witness.as_ref().map(|(_, accumulator)| *accumulator);
+                reach.obligation(bits, accumulator, depth.interpolation, range)
+            }),
             gappa: None,
         },
         witness: witness.map(|(witness, _)| witness),
@@ -154,6 +230,7 @@ fn wraps(question: &Question, depth: &DepthConfig, guard: u32) -> Option<(Witnes
             by: "model",
             triangle: triangle.xy.to_vec(),
             depths: triangle.z,
+            codes: None,
             edge: None,
             pixel: Some(pixel),
             sample: Some(question.sample(pixel)),
@@ -165,41 +242,4 @@ fn wraps(question: &Question, depth: &DepthConfig, guard: u32) -> Option<(Witnes
         };
         right.then_some((witness, accumulator))
     })
-}
-
-fn obligation(
-    depth: &DepthConfig,
-    reach: &Reach,
-    bits: u32,
-    witness: Option<&(Witness, i128)>,
-    range: impl Fn(u32) -> (i128, i128),
-) -> Obligation {
-    let most = integer((1 << depth.integer) - 1);
-    let bias = start_bias(depth, depth.interpolation);
-    let (unit, bias) = (scaled(1, depth.interpolation), integer(bias));
-    let outside = |bits| {
-        // An accumulator is an integer, so what is below the range is lower by one at least.
-        let (low, limit) = range(bits);
-        let [below, limit] = [low - 1, limit].map(|end| real(&integer(end)));
-        format!("(or (<= accumulator {below}) (>= accumulator {limit}))")
-    };
-    let fewer = witness.map(|(_, accumulator)| {
-        (outside(bits - 1), vec![("z", integer(0)), ("error", integer(*accumulator))])
-    });
-    let sum = format!("(+ (* z {}) {} error)", real(&unit), real(&bias));
-    Obligation {
-        variables: vec![
-            Variable::closed("z", integer(0), most),
-            Variable {
-                name: "error",
-                low: -reach.error.clone(),
-                high: reach.error.clone(),
-                open: !reach.nearest,
-            },
-        ],
-        definitions: vec![("accumulator", sum)],
-        facts: Vec::new(),
-        violated: vec![outside(bits)],
-        fewer,
-    }
 }

@@ -87,33 +87,57 @@ impl Growth {
     }
 }
 
+/// What walks the plane, as claims and texts call it: depth, or a channel whose words stand for those of depth.
+pub(super) struct Subject {
+    /// The first part of the claim's name.
+    pub(super) topic: String,
+    pub(super) noun: String,
+    /// Whether the vertex values are those of depth, so that the model can draw a counterexample.
+    pub(super) drawn: bool,
+}
+
+impl Subject {
+    pub(super) fn depth() -> Self {
+        Self { topic: "depth".to_owned(), noun: "the depth".to_owned(), drawn: true }
+    }
+}
+
 /// Below half an ULP; for a rounding that is not to nearest also below one.
-pub(super) fn proofs(question: &Question) -> Vec<Proof> {
+pub(super) fn proofs(question: &Question, subject: &Subject) -> Vec<Proof> {
     let Some(depth) = question.profile.depth else { return Vec::new() };
-    let mut proofs = vec![proof(question, &depth, Goal::Half)];
+    let mut proofs = vec![proof(question, subject, &depth, Goal::Half)];
     if !depth.rounding.is_nearest() {
-        proofs.push(proof(question, &depth, Goal::One));
+        proofs.push(proof(question, subject, &depth, Goal::One));
     }
     proofs
 }
 
-fn proof(question: &Question, depth: &DepthConfig, goal: Goal) -> Proof {
+fn proof(question: &Question, subject: &Subject, depth: &DepthConfig, goal: Goal) -> Proof {
     let growth = Growth::new(question, depth);
     let sticky = depth.clamp == Clamp::Saturate;
     let bits = growth.fewest(goal).filter(|_| !sticky);
     let found = bits
         .and_then(|bits| bits.checked_sub(1))
+        .filter(|_| subject.drawn)
         .and_then(|fewer| plane_witness::find(question, fewer, goal));
     let given = depth.interpolation;
     let (witness, residues) = found.unzip();
     Proof {
         claim: match goal {
-            Goal::Half => "depth.interpolation".to_owned(),
-            Goal::One => "depth.interpolation-one".to_owned(),
+            Goal::Half => format!("{}.interpolation", subject.topic),
+            Goal::One => format!("{}.interpolation-one", subject.topic),
         },
         row: None,
         place: question.place(),
-        statement: statement(question, depth, goal, &growth, bits, witness.is_some()),
+        statement: statement(
+            question,
+            subject,
+            depth,
+            goal,
+            &growth,
+            bits.zip(Some(witness.is_some())),
+        ),
+        error: None,
         bits,
         given: Some(given),
         sufficient: !sticky && growth.holds(given, goal),
@@ -144,11 +168,11 @@ fn proof(question: &Question, depth: &DepthConfig, goal: Goal) -> Proof {
 
 fn statement(
     question: &Question,
+    subject: &Subject,
     depth: &DepthConfig,
     goal: Goal,
     growth: &Growth,
-    bits: Option<u32>,
-    tight: bool,
+    enough: Option<(u32, bool)>,
 ) -> String {
     let [w, h] = question.size();
     let walk = format!(
@@ -156,15 +180,17 @@ fn statement(
         growth.roundings - 1,
         depth.rounding
     );
-    let Some(bits) = bits else {
+    let Some((bits, tight)) = enough else {
         return format!(
-            "No number of interpolation bits keeps the error of the depth below {}: {walk}.",
+            "No number of interpolation bits keeps the error of {} below {}: {walk}.",
+            subject.noun,
             goal.name()
         );
     };
     let mut text = format!(
-        "{} keep the error of the depth below {} at every sample of the window: {walk}",
+        "{} keep the error of {} below {} at every sample of the window: {walk}",
         interpolation_bits(bits),
+        subject.noun,
         goal.name()
     );
     if tight {

@@ -169,6 +169,7 @@ impl Search<'_> {
             by: "model",
             triangle: triangle.xy.to_vec(),
             depths: triangle.z,
+            codes: None,
             edge: None,
             pixel: Some(pixel),
             sample: Some(sample),

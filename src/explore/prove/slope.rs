@@ -31,6 +31,7 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
         by: "model",
         triangle: triangle.xy.to_vec(),
         depths: triangle.z,
+        codes: None,
         edge: None,
         pixel: None,
         sample: None,
@@ -56,6 +57,7 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
         ),
         bits: Some(bits),
         given: None,
+        error: None,
         sufficient: true,
         bound: format!(
             "(2^{} - 1) x {span} x 2^{} = {steepest} <= 2^{} - 1",

@@ -35,6 +35,12 @@ pub(super) fn decimal(value: &Rational) -> String {
     format!("{}{whole}.{rest}", if value.is_negative() { "-" } else { "" })
 }
 
+/// The same for a bound that is not negative: rounded up.
+pub(super) fn decimal_up(value: &Rational) -> String {
+    let millions = (value * integer(1_000_000)).ceil();
+    decimal(&(millions / integer(1_000_000)))
+}
+
 /// `1 bit`, `2 bits`.
 pub(super) fn bits(count: u32) -> String {
     if count == 1 { "1 bit".to_owned() } else { format!("{count} bits") }
@@ -54,5 +60,6 @@ mod tests {
         assert_eq!(mixed(&ratio(-7, 3).unwrap()), "-(2+1/3)");
         assert_eq!(decimal(&ratio(-1, 3).unwrap()), "-0.333333");
         assert_eq!(decimal(&ratio(25, 2).unwrap()), "12.500000");
+        assert_eq!(decimal_up(&ratio(1, 3).unwrap()), "0.333334");
     }
 }

@@ -86,6 +86,7 @@ fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option
         ),
         bits: Some(bits),
         given: Some(walk.fraction),
+        error: None,
         sufficient: length.holds(walk.fraction, s, nearest),
         bound: format!(
             "{} x 2^-{} = {bound} <= 2^-{} pixel{strict}",
@@ -159,6 +160,7 @@ fn strays(question: &Question, walk: EdgeWalkConfig, fraction: u32) -> Option<Fo
                 by: "model",
                 triangle: triangle.xy.to_vec(),
                 depths: None,
+                codes: None,
                 edge: Some([triangle.xy[0], triangle.xy[1]]),
                 pixel: None,
                 sample: None,

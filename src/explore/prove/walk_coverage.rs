@@ -46,6 +46,7 @@ pub(super) fn proof(question: &Question, walk: EdgeWalkConfig, length: Length) -
         },
         bits,
         given: Some(walk.fraction),
+        error: None,
         sufficient: bits.is_some_and(|bits| walk.fraction >= bits),
         bound: match bits {
             Some(bits) => format!(
@@ -84,6 +85,7 @@ fn differs(
         by: "model",
         triangle: triangle.xy.to_vec(),
         depths: None,
+        codes: None,
         edge: Some([triangle.xy[0], triangle.xy[1]]),
         pixel: Some(pixel),
         sample: Some(question.sample(pixel)),

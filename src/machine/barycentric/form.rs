@@ -6,8 +6,8 @@ use crate::cover::{EdgeWordConfig, FillRule};
 use crate::exact::{PlaneNumerator, Rational, dyadic, integer};
 use crate::format::{ReadOut, Refused, Value};
 use crate::machine::{
-    Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
-    RasterState, Rasterizer, Site, Step, Steps, Unit, Word, edge_words, rounding_error,
+    Carries, Count, Datapath, EveryLinear, Face, FormError, Intake, Kind, Machine, Operations,
+    Polygons, RasterState, Rasterizer, Site, Step, Steps, Unit, Word, edge_words, rounding_error,
 };
 
 /// What is known of the machine.
@@ -124,6 +124,13 @@ impl Rasterizer for BarycentricConfig {
         let z = face.triangle.z.unwrap_or_default();
         let rise = integer((z[1] - z[0]).abs() + (z[2] - z[0]).abs());
         Some(rise * integer(1 + x1 + y1) * share + dyadic(1, depth.interpolation))
+    }
+
+    /// Two differences of vertex values, weighted by coordinates that have this plane's error: clause `A-6`.
+    fn window_bound(&self, value: &EveryLinear) -> Option<Rational> {
+        let share = rounding_error(self.rounding, self.coordinate);
+        let walk = integer(2 * (value.window[0] + value.window[1] - 1));
+        Some(walk * &value.rise * share + dyadic(1, value.fraction))
     }
 
     fn may_misplace(&self, _: &Face<'_>, _: [i128; 2]) -> Option<bool> {

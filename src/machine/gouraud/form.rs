@@ -5,8 +5,8 @@ use crate::cover::FillRule;
 use crate::exact::{PlaneNumerator, Rational, integer, ratio};
 use crate::format::{ReadOut, Refused, Value};
 use crate::machine::{
-    Carries, Count, Datapath, EdgeWalkConfig, Face, FormError, Intake, Kind, Machine, Operations,
-    Polygons, RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
+    Carries, Count, Datapath, EdgeWalkConfig, EveryLinear, Face, FormError, Intake, Kind, Machine,
+    Operations, Polygons, RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
 };
 use num_traits::Signed;
 #[cfg(feature = "verification")]
@@ -123,6 +123,14 @@ impl Rasterizer for GouraudConfig {
         let slope = ratio(exact.slope[0], exact.whole)?.abs() * integer(1 << face.grid.sub_pixel);
         let x_off = rounding_error(self.rounding, self.fraction);
         Some(rows * (&ulp + slope * x_off) + columns * ulp)
+    }
+
+    /// The same for the largest box and the steepest slope.
+    fn window_bound(&self, value: &EveryLinear) -> Option<Rational> {
+        let [columns, rows] = value.window.map(|side| integer(side + 2));
+        let ulp = rounding_error(value.rounding, value.fraction);
+        let x_off = rounding_error(self.rounding, self.fraction);
+        Some(rows * (&ulp + &value.steepest * x_off) + columns * ulp)
     }
 
     fn may_misplace(&self, face: &Face<'_>, at: [i128; 2]) -> Option<bool> {
