@@ -12,6 +12,7 @@ mod export;
 mod failure;
 mod fit;
 mod heat;
+mod identify;
 mod output;
 mod plot;
 mod profile;
@@ -50,6 +51,7 @@ enum Command {
     Explore(explore::Arguments),
     Export(export::Arguments),
     Fit(fit::Arguments),
+    Identify(identify::Arguments),
     Profile(profile::Arguments),
     Prove(prove::Arguments),
     Render(render::Arguments),
@@ -100,6 +102,7 @@ pub fn main(machines: &[guardbit::machine::Own]) -> ExitCode {
         Command::Explore(arguments) => explore::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
+        Command::Identify(arguments) => identify::run(&arguments),
         Command::Profile(arguments) => profile::run(&arguments),
         Command::Prove(arguments) => prove::run(&arguments),
         Command::Render(arguments) => render::run(&arguments),

@@ -8,6 +8,7 @@ mod corner;
 pub mod extremes;
 pub mod field;
 pub mod fit;
+pub mod identify;
 pub mod metric;
 pub mod pareto;
 pub mod prove;

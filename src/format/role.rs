@@ -141,7 +141,7 @@ impl Role {
 
     /// The name of the column of vertex, edge, side or share `k`.
     pub fn name(self, k: usize) -> String {
-        self.pattern.replace("{k}", &k.to_string())
+        numbered(self.pattern, k)
     }
 
     /// The column of this role.
@@ -151,7 +151,7 @@ impl Role {
 
     /// The column of vertex, edge, side or share `k`.
     pub fn of(self, k: usize, word: WordFormat) -> Column {
-        word.column(self.name(k), self.meaning.replace("{k}", &k.to_string()))
+        word.column(self.name(k), numbered(self.meaning, k))
     }
 
     /// The role of a column by its name, and the number in it. Columns of sample `n` of a pixel have
@@ -174,6 +174,19 @@ impl Role {
             find(name, Some(sample.parse().ok()?))
         })
     }
+}
+
+/// A pattern with a number in it. Every model makes its columns, so this is quicker than a search for `{k}`.
+fn numbered(pattern: &str, k: usize) -> String {
+    let Some(at) = pattern.bytes().position(|byte| byte == b'{') else { return pattern.to_owned() };
+    let mut text = String::with_capacity(pattern.len());
+    text.push_str(&pattern[..at]);
+    match u8::try_from(k) {
+        Ok(digit @ 0..10) => text.push(char::from(b'0' + digit)),
+        _ => text.push_str(&k.to_string()),
+    }
+    text.push_str(&pattern[at + "{k}".len()..]);
+    text
 }
 
 /// The role of a column of a file.

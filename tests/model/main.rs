@@ -19,6 +19,7 @@ mod exhaustive;
 mod extremes;
 mod fuzz;
 mod golden;
+mod identify;
 mod interpolation;
 mod lines;
 mod machine_vectors;

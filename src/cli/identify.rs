@@ -1,0 +1,278 @@
+//! `guardbit identify`: which rasterizers are behind captures.
+
+mod device;
+mod report;
+
+use super::Outcome;
+use super::failure::Failure;
+use super::output::{Output, write_text};
+use super::progress;
+use device::Device;
+use guardbit::explore::identify::{Answer, Capture, Case, Hypotheses, Identifier, Next, Reading};
+use guardbit::explore::space::Axis;
+use guardbit::profile;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+use std::time::Duration;
+
+/// Find the rasterizers that agree with captures of an unknown one, exactly and all of them.
+///
+/// A case is one JSON line: a triangle as `eval` takes it, with "f" in pixels, and the answer. The answer is
+/// "rows" and, with depth, "z", as `eval` writes them; or "png", a picture of the window in which every pixel
+/// that is not black is covered. "unknown": [[x0,y0,x1,y1], ...] and "scissor": [x0,y0,x1,y1] say about which
+/// pixels nothing is known. For a register-level base, a case has "words" and "out".
+///
+/// Sub-pixel bits, snapping, sample position, fill rule, storage and width of edge words are found, and of depth
+/// the interpolation bits, rounding, start and division. Dithered and blended pictures are not understood: give
+/// which pixels are covered.
+///
+/// Exit status 1 if nothing fits.
+#[derive(Debug, clap::Args)]
+pub(crate) struct Arguments {
+    /// The captures: a JSON Lines file.
+    #[arg(long, value_name = "FILE")]
+    cases: Option<PathBuf>,
+    /// The profile that the hypotheses start from: it gives the machine, the vertex field, and the depth
+    /// bits if there is depth.
+    #[arg(long, value_name = "PROFILE", default_value = "sgi-4k")]
+    base: String,
+    /// Window of the captures as WIDTHxHEIGHT.
+    #[arg(long, value_parser = super::parse_size, default_value = "64x64")]
+    window: (u32, u32),
+    /// Values that a field may have, as FIELD=VALUES; repeat it for more fields. `form` tries other machines.
+    #[arg(long = "vary", value_name = "FIELD=VALUES", value_parser = parse_axis)]
+    axes: Vec<Axis>,
+    /// Instead, try the base and every profile within N decisions of its machine. For register-level machines.
+    #[arg(long, value_name = "N", conflicts_with = "axes", value_parser = clap::value_parser!(u32).range(0..=3))]
+    near: Option<u32>,
+    /// The integers of "v" are 2^-BITS pixels. Without it, "v" is refused.
+    #[arg(long, value_name = "BITS", value_parser = clap::value_parser!(u32).range(0..=24))]
+    lattice: Option<u32>,
+    /// The pictures may be moved by at most N pixels on each axis, all in the same way.
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u32).range(0..=16))]
+    shift: u32,
+    /// The pictures may be mirrored, all in the same way.
+    #[arg(long)]
+    mirror: bool,
+    /// At most N cases may be wrong.
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u8).range(0..=200))]
+    wrong: u8,
+    /// Print the triangle to draw next: the one whose answer leaves the fewest.
+    #[arg(long)]
+    next: bool,
+    /// Ask a device until nothing more can be told apart. CMD reads triangles as `eval` takes them, and
+    /// answers each line in the same form.
+    #[arg(long, value_name = "CMD", conflicts_with = "next")]
+    device: Option<String>,
+    /// Seconds to wait for an answer of the device.
+    #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = clap::value_parser!(u64).range(1..=3600))]
+    timeout: u64,
+    /// The most triangles that the device is asked.
+    #[arg(long, value_name = "N", default_value_t = 64, value_parser = clap::value_parser!(u64).range(1..=4096))]
+    probes: u64,
+    /// Seed of the triangles that are tried for --next and --device.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
+    /// Write the triangles and answers of the device to FILE, as cases.
+    #[arg(long, value_name = "FILE", requires = "device")]
+    save: Option<PathBuf>,
+    /// Write the first profile found to FILE, as TOML.
+    #[arg(long, value_name = "FILE")]
+    profile_out: Option<PathBuf>,
+    /// Print the report as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+fn parse_axis(text: &str) -> Result<Axis, String> {
+    Axis::parse(text).map_err(|error| error.to_string())
+}
+
+pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
+    if arguments.cases.is_none() && arguments.device.is_none() && !arguments.next {
+        return Err(Failure::input("there is nothing to go by")
+            .hint("give --cases FILE, or --device CMD, or ask for a first triangle by --next"));
+    }
+    let hypotheses = hypotheses(arguments)?;
+    let cases = read(arguments)?;
+    let captures = Capture::all(arguments.shift, arguments.mirror);
+    let with_depth =
+        |case: &Case| matches!(&case.answer, Answer::Picture { depth, .. } if !depth.is_empty());
+    if captures.len() > 1 && cases.iter().any(with_depth) {
+        return Err(Failure::input("--shift, --mirror: pictures with depth cannot be moved")
+            .hint("leave \"z\" out until the picture is known"));
+    }
+    let monitor = progress::monitor();
+    let go_on = || !monitor.cancel.load(Ordering::Relaxed);
+    let mut identifier = Identifier::new(&hypotheses, captures.clone(), arguments.wrong);
+    if identifier.left() == 0 {
+        return Err(Failure::input("no hypothesis is a valid profile").hint(
+            "choose a --base with a vertex field of at most 32 bits, or other values in --vary",
+        ));
+    }
+    for case in &cases {
+        if !go_on() {
+            return Err(Failure::interrupted("interrupted; nothing was printed"));
+        }
+        identifier.observe(case);
+    }
+    let mut all = cases;
+    let mut stopped = None;
+    if let Some(command) = &arguments.device {
+        stopped = ask(arguments, command, (&mut identifier, &mut all), &go_on)?;
+    }
+    let conflict = if identifier.left() == 0 {
+        Identifier::conflict(&hypotheses, (&captures, arguments.wrong), &all, &mut || go_on())
+    } else {
+        Vec::new()
+    };
+    let next = (arguments.next && identifier.left() > 0).then(|| identifier.next(arguments.seed));
+    if let (Some(path), Some(found)) = (&arguments.profile_out, identifier.found(1).first()) {
+        write_text(path, &found.profile.to_toml())?;
+    }
+    let mut output = Output::new();
+    let report = report::Report { identifier: &identifier, cases: &all, conflict, next, stopped };
+    if arguments.json {
+        report.json(&mut output)?;
+    } else {
+        report.print(&mut output)?;
+    }
+    output.flush()?;
+    Ok(if identifier.left() == 0 { Outcome::Mismatch } else { Outcome::Good })
+}
+
+fn hypotheses(arguments: &Arguments) -> Result<Hypotheses, Failure> {
+    let mut base = profile::load(&arguments.base)?;
+    let (width, height) = arguments.window;
+    if u64::from(width) * u64::from(height) > 1 << 20 {
+        return Err(Failure::input(format!(
+            "{width} x {height}: a window has at most 2^20 pixels"
+        )));
+    }
+    (base.window.width, base.window.height) = (width, height);
+    base.validate().map_err(Failure::input)?;
+    Ok(match arguments.near {
+        Some(changes) => Hypotheses::near(base, changes),
+        None => {
+            super::takes_primitives(&base).map_err(|failure| {
+                failure.hint("--near N tries the profiles within N decisions of such a machine")
+            })?;
+            Hypotheses::of(base, arguments.axes.clone())
+        }
+    })
+}
+
+/// How the lines of this command are read.
+fn reading<'a>(arguments: &Arguments, folder: &'a Path) -> Reading<'a> {
+    let (window, lattice) = (arguments.window, arguments.lattice);
+    Reading { window, lattice, folder, picture }
+}
+
+fn read(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
+    let Some(path) = &arguments.cases else { return Ok(Vec::new()) };
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
+    let folder = path.parent().unwrap_or(Path::new("."));
+    let cases = reading(arguments, folder).cases(&name, &text).map_err(Failure::input)?;
+    if cases.is_empty() {
+        return Err(Failure::input(format!("{name}: the file has no case")));
+    }
+    Ok(cases)
+}
+
+/// The pixels of a picture that are not black and not transparent.
+fn picture(path: &Path) -> Result<(Vec<bool>, (u32, u32)), String> {
+    let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
+    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    if u64::from(width) * u64::from(height) > 1 << 20 {
+        return Err(format!("{width} x {height}: a picture has at most 2^20 pixels"));
+    }
+    let mut bytes = vec![0; reader.output_buffer_size().ok_or("the picture is too large")?];
+    let info = reader.next_frame(&mut bytes).map_err(|error| error.to_string())?;
+    let channels = info.color_type.samples();
+    let covered = |pixel: &[u8]| {
+        let (colour, alpha) = match channels {
+            2 | 4 => (&pixel[..channels - 1], pixel[channels - 1]),
+            _ => (pixel, 255),
+        };
+        alpha > 0 && colour.iter().any(|part| *part > 0)
+    };
+    let pixels = bytes[..info.buffer_size()].chunks_exact(channels).map(covered);
+    Ok((pixels.collect(), (width, height)))
+}
+
+/// Asks a device until nothing splits what is left; why it stopped before that.
+fn ask(
+    arguments: &Arguments,
+    command: &str,
+    (identifier, cases): (&mut Identifier, &mut Vec<Case>),
+    go_on: &dyn Fn() -> bool,
+) -> Result<Option<String>, Failure> {
+    let mut device = Device::start(command)?;
+    let reading = reading(arguments, Path::new("."));
+    let mut lines = String::new();
+    let mut stopped = None;
+    for id in 1..=arguments.probes {
+        if !go_on() {
+            stopped = Some("interrupted".to_owned());
+            break;
+        }
+        let Next::Draw(probe) = identifier.next(arguments.seed.wrapping_add(id)) else { break };
+        let line = probe.line(id);
+        let answer = match device.ask(&line, Duration::from_secs(arguments.timeout)) {
+            Ok(answer) => answer,
+            Err(why) => {
+                stopped = Some(format!("probe {id}: {why}"));
+                break;
+            }
+        };
+        let joined = match join(&line, &answer) {
+            Ok(joined) => joined,
+            Err(why) => {
+                stopped = Some(format!("probe {id}: the device answered {answer:?}: {why}"));
+                break;
+            }
+        };
+        match reading.case(&joined, &format!("probe {id}")) {
+            Ok(case) => {
+                lines.push_str(&joined);
+                lines.push('\n');
+                identifier.observe(&case);
+                cases.push(case);
+            }
+            Err(why) => {
+                stopped = Some(format!("probe {id}: the device answered {answer:?}: {why}"));
+                break;
+            }
+        }
+        if identifier.left() == 0 {
+            break;
+        }
+        if id == arguments.probes {
+            stopped = Some(format!("{id} triangles were asked, as --probes says"));
+        }
+    }
+    if let Some(path) = &arguments.save {
+        write_text(path, &lines)?;
+    }
+    Ok(stopped)
+}
+
+/// A triangle and its answer as one case.
+fn join(line: &str, answer: &str) -> Result<String, String> {
+    let object = |text: &str| -> Result<serde_json::Map<String, serde_json::Value>, String> {
+        serde_json::from_str(text).map_err(|error| error.to_string())
+    };
+    let (mut case, answer) = (object(line)?, object(answer)?);
+    if let Some(error) = answer.get("error") {
+        return Err(format!("an error: {error}"));
+    }
+    if answer.get("id") != case.get("id") {
+        return Err("the id is that of another line".to_owned());
+    }
+    case.extend(answer);
+    Ok(serde_json::Value::from(case).to_string())
+}

@@ -1,0 +1,405 @@
+//! Which rasterizers are behind captures of an unknown one: all that agree with every case, exactly. Spec
+//! clauses `ID-1` to `ID-6`.
+
+mod case;
+mod conflict;
+mod hypothesis;
+mod narrow;
+mod picture;
+mod probe;
+
+pub use case::{Answer, Case, CaseError, Reading};
+pub use hypothesis::Hypotheses;
+pub use picture::{Capture, Picture};
+pub use probe::{Next, Probe};
+
+use crate::cover::{EdgeWordConfig, SampleGrid};
+use crate::dda::Processor;
+use crate::machine::Sink;
+use crate::model::{Model, Primitive};
+use crate::profile::Profile;
+use crate::scene::{self, Triangle};
+use crate::setup::Triangle as LatticeTriangle;
+use crate::value::{Depth, DepthConfig};
+use case::Undone;
+use hypothesis::Root;
+use narrow::Boxed;
+use std::collections::BTreeMap;
+
+/// The search for an unknown rasterizer.
+#[derive(Debug)]
+pub struct Identifier {
+    captures: Vec<Capture>,
+    /// How many cases may be wrong.
+    wrong: u8,
+    depths: Vec<DepthConfig>,
+    left: Vec<Left>,
+    /// Hypotheses at the start: machines with their edge words, and words of depth.
+    counts: [u64; 2],
+    /// Cases whose depth waits until few machines are left.
+    waiting: Vec<Case>,
+}
+
+/// Depth is looked at when no more machines are left than this: for each there are thousands of words.
+const FEW: usize = 256;
+
+/// A root, and what of it is left.
+#[derive(Debug)]
+struct Left {
+    root: Root,
+    /// Cases that failed, by edge words and then capture.
+    fails: Vec<u8>,
+    /// The same by words of depth.
+    depth_fails: Vec<u8>,
+}
+
+/// A rasterizer that agrees with the cases.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Its decisions, in words.
+    pub fields: Vec<(String, String)>,
+    /// The profile.
+    pub profile: Profile,
+    /// What the capture did to its pictures.
+    pub capture: Capture,
+}
+
+/// A decision, and the values that it has among the rasterizers that are left.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decided {
+    /// The decision.
+    pub name: String,
+    /// Its values.
+    pub values: Vec<String>,
+}
+
+impl Identifier {
+    /// Everything is possible. Each case can have gone through one of the captures, the same for all cases, and
+    /// so many cases can be wrong.
+    pub fn new(hypotheses: &Hypotheses, captures: Vec<Capture>, wrong: u8) -> Self {
+        let (roots, depths) = (hypotheses.roots(), hypotheses.depths());
+        let variants = |root: &Root| root.words.len().max(1);
+        let machines = roots.iter().map(|root| variants(root) as u64).sum();
+        let left = roots.into_iter().map(|root| Left {
+            fails: vec![0; variants(&root) * captures.len()],
+            depth_fails: Vec::new(),
+            root,
+        });
+        let left: Vec<Left> = left.collect();
+        let counts = [machines, depths.len() as u64];
+        Self { captures, wrong, depths, left, counts, waiting: Vec::new() }
+    }
+
+    /// Hypotheses at the start: machines with their edge words, and words of depth for each.
+    pub const fn counts(&self) -> [u64; 2] {
+        self.counts
+    }
+
+    /// Machines with their edge words, times captures, that are left; words of depth come on top.
+    pub fn left(&self) -> u64 {
+        let alive = |left: &Left| left.fails.iter().filter(|fails| **fails <= self.wrong).count();
+        self.left.iter().map(|left| alive(left) as u64).sum()
+    }
+
+    /// Words of depth that are left, over all machines that are.
+    pub fn depths_left(&self) -> u64 {
+        let alive = |left: &Left| left.depths(&self.depths, self.wrong).len();
+        if self.depths.is_empty() {
+            0
+        } else {
+            self.left.iter().map(|left| alive(left) as u64).sum()
+        }
+    }
+
+    /// Takes a case: what does not agree with it, and has failed too often, is gone. Depth is looked at as soon
+    /// as few machines are left.
+    pub fn observe(&mut self, case: &Case) {
+        let undone = Undone::of(&case.answer, &self.captures);
+        for left in &mut self.left {
+            left.observe(case, &undone, self.wrong);
+        }
+        let wrong = self.wrong;
+        self.left.retain(|left| left.fails.iter().any(|fails| *fails <= wrong));
+        if matches!(&case.answer, Answer::Picture { depth, .. } if !depth.is_empty()) {
+            self.waiting.push(case.clone());
+        }
+        if self.left.len() > FEW || self.depths.is_empty() {
+            return;
+        }
+        for case in std::mem::take(&mut self.waiting) {
+            for left in &mut self.left {
+                left.observe_depth(&case, &self.depths, wrong);
+            }
+            self.left.retain(|left| left.depth_fails.iter().any(|fails| *fails <= wrong));
+        }
+    }
+
+    /// Whether depth was not looked at, because too many machines are left.
+    pub fn depth_waits(&self) -> bool {
+        !self.waiting.is_empty() && !self.depths.is_empty()
+    }
+
+    /// What is left, one by one, at most so many.
+    pub fn found(&self, most: usize) -> Vec<Found> {
+        let mut found = Vec::new();
+        for left in &self.left {
+            for (variant, capture) in left.alive(self.captures.len(), self.wrong) {
+                for depth in left.depths(&self.depths, self.wrong) {
+                    if found.len() == most {
+                        return found;
+                    }
+                    found.push(Found {
+                        fields: left.root.fields.clone(),
+                        profile: left.root.profile(left.root.words.get(variant).copied(), depth),
+                        capture: self.captures[capture],
+                    });
+                }
+            }
+        }
+        found
+    }
+
+    /// The decisions with the values that are left of them: one value is decided, several are not.
+    pub fn decided(&self) -> Vec<Decided> {
+        let mut decided: Vec<Decided> = Vec::new();
+        let mut note = |name: &str, value: String| match decided
+            .iter_mut()
+            .find(|decided| decided.name == name)
+        {
+            Some(decided) if decided.values.contains(&value) => {}
+            Some(decided) => decided.values.push(value),
+            None => decided.push(Decided { name: name.to_owned(), values: vec![value] }),
+        };
+        for left in &self.left {
+            for (name, value) in &left.root.fields {
+                note(name, value.clone());
+            }
+            for (variant, capture) in left.alive(self.captures.len(), self.wrong) {
+                if let Some(EdgeWordConfig { storage, width, .. }) = left.root.words.get(variant) {
+                    note("storage", format!("{storage:?}").to_lowercase());
+                    note("width", width.to_string());
+                }
+                if self.captures.len() > 1 {
+                    note("picture", self.captures[capture].to_string());
+                }
+            }
+            for depth in left.depths(&self.depths, self.wrong).into_iter().flatten() {
+                note("depth.interpolation", depth.interpolation.to_string());
+                note("depth.rounding", depth.rounding.to_string());
+                note("depth.start-bias", format!("{:?}", depth.start_bias).to_lowercase());
+                note(
+                    "depth.division",
+                    match depth.division {
+                        crate::setup::Division::Quotient => "quotient".to_owned(),
+                        crate::setup::Division::Reciprocal { bits } => {
+                            format!("a reciprocal of {bits} bits")
+                        }
+                    },
+                );
+            }
+        }
+        decided
+    }
+
+    /// The cases that the first rasterizer left does not agree with, by their place: those that are wrong, if it
+    /// is the machine.
+    pub fn disagreeing(&self, cases: &[Case]) -> Vec<usize> {
+        let Some(first) = self.left.first() else { return Vec::new() };
+        let Some((variant, capture)) = first.alive(self.captures.len(), self.wrong).next() else {
+            return Vec::new();
+        };
+        let depth = first.depths(&self.depths, self.wrong).first().copied().flatten();
+        let wrong = cases.iter().enumerate().filter(|(_, case)| {
+            let undone = Undone::of(&case.answer, &self.captures[capture..=capture]);
+            let words = first.root.words.get(variant).copied();
+            let covers = Model::new(&first.root.profile(words, None))
+                .is_ok_and(|model| agrees(&model, case, &undone)[0]);
+            let deep = depth.is_none_or(|depth| depth_agrees(&first.root, depth, case));
+            !(covers && deep)
+        });
+        wrong.map(|(n, _)| n).collect()
+    }
+}
+
+impl Left {
+    /// What is left of edge words and captures.
+    fn alive(&self, captures: usize, wrong: u8) -> impl Iterator<Item = (usize, usize)> {
+        let alive = self.fails.iter().enumerate().filter(move |(_, fails)| **fails <= wrong);
+        alive.map(move |(n, _)| (n / captures, n % captures))
+    }
+
+    /// What is left of the words of depth; one without where there are none.
+    fn depths(&self, depths: &[DepthConfig], wrong: u8) -> Vec<Option<DepthConfig>> {
+        if depths.is_empty() {
+            return vec![None];
+        }
+        if self.depth_fails.is_empty() {
+            return depths.iter().copied().map(Some).collect();
+        }
+        let alive = depths.iter().zip(&self.depth_fails).filter(|(_, fails)| **fails <= wrong);
+        alive.map(|(depth, _)| Some(*depth)).collect()
+    }
+
+    fn observe(&mut self, case: &Case, undone: &Undone, wrong: u8) {
+        let captures = undone.pictures.len().max(1);
+        let model = &self.root.model;
+        let triangle = flat(&case.primitive).and_then(|shape| model.snap(&shape).ok());
+        let boxed = triangle.and_then(|triangle| Boxed::new(model, &triangle));
+        let mut widest = None;
+        let mut needed = BTreeMap::new();
+        for (variant, fails) in self.fails.chunks_mut(captures).enumerate() {
+            if fails.iter().all(|fails| *fails > wrong) {
+                continue;
+            }
+            let words = self.root.words.get(variant);
+            let own = boxed.as_ref().zip(words).and_then(|(boxed, words)| {
+                // Words that hold every value that a triangle meets draw what the widest draw.
+                let bits =
+                    needed.entry(words.fraction(1)).or_insert_with(|| boxed.needed(model, words));
+                if *bits <= words.width { None } else { boxed.words(model, words) }
+            });
+            if let Some(narrow) = own {
+                for (fails, picture) in fails.iter_mut().zip(&undone.pictures) {
+                    let agrees = narrow.agrees(&picture.shown, picture.count);
+                    *fails = fails.saturating_add(u8::from(!agrees));
+                }
+                continue;
+            }
+            // A machine that has words and does not look at a box is made for each of them.
+            let made = words
+                .filter(|_| boxed.is_none())
+                .and_then(|words| Model::new(&self.root.profile(Some(*words), None)).ok());
+            let made = made.map(|model| agrees(&model, case, undone));
+            let agree = match &made {
+                Some(own) => own,
+                None => widest.get_or_insert_with(|| agrees(model, case, undone)),
+            };
+            for (fails, agrees) in fails.iter_mut().zip(agree) {
+                *fails = fails.saturating_add(u8::from(!agrees));
+            }
+        }
+    }
+
+    fn observe_depth(&mut self, case: &Case, depths: &[DepthConfig], wrong: u8) {
+        self.depth_fails.resize(depths.len(), 0);
+        let Answer::Picture { depth: expected, .. } = &case.answer else { return };
+        let deep = Deep::new(&self.root, &case.primitive, depths);
+        for (depth, fails) in depths.iter().zip(&mut self.depth_fails) {
+            if *fails <= wrong {
+                let codes = deep.as_ref().and_then(|deep| deep.codes(*depth, expected));
+                let agrees = codes.is_some_and(|codes| codes.eq(expected.values().copied()));
+                *fails = fails.saturating_add(u8::from(!agrees));
+            }
+        }
+    }
+}
+
+/// A triangle without its depth.
+fn flat(primitive: &scene::Primitive) -> Option<Triangle> {
+    match primitive {
+        scene::Primitive::Triangle(Triangle::Real { xy, .. }) => {
+            Some(Triangle::Real { xy: *xy, z: None })
+        }
+        scene::Primitive::Triangle(Triangle::Lattice { xy, .. }) => {
+            Some(Triangle::Lattice { xy: *xy, z: None })
+        }
+        _ => None,
+    }
+}
+
+/// The primitive, ready for a model without depth.
+fn prepared(model: &Model, primitive: &scene::Primitive) -> Option<Primitive> {
+    let flat = flat(primitive).map(scene::Primitive::Triangle);
+    model.prepare(flat.as_ref().unwrap_or(primitive)).ok()
+}
+
+/// Whether a model covers what a case says, by capture. What the model refuses it does not draw.
+fn agrees(model: &Model, case: &Case, undone: &Undone) -> Vec<bool> {
+    match &case.answer {
+        Answer::Picture { covered, .. } => {
+            let mut picture = Picture::empty(covered.size());
+            let drawn = prepared(model, &case.primitive)
+                .is_some_and(|primitive| model.draw(&primitive, &mut picture).is_ok());
+            let pictures = undone.pictures.iter();
+            let agrees = |[covered, known]: &[Picture; 2]| drawn && picture.agrees(covered, known);
+            pictures.map(|picture| agrees(&picture.shown)).collect()
+        }
+        Answer::Records(records) => {
+            let mut seen = Recorded { model, records: Vec::new(), most: records.len() };
+            let drawn = model
+                .prepare(&case.primitive)
+                .is_ok_and(|primitive| model.draw(&primitive, &mut seen).is_ok());
+            vec![drawn && seen.records == *records]
+        }
+    }
+}
+
+/// Records as `eval` writes them; one more than wanted at most.
+struct Recorded<'a> {
+    model: &'a Model,
+    records: Vec<Vec<String>>,
+    most: usize,
+}
+
+impl Sink for Recorded<'_> {
+    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
+
+    fn wants_records(&self) -> bool {
+        true
+    }
+
+    fn record(&mut self, kind: usize, values: &[i64]) {
+        if self.records.len() > self.most {
+            return;
+        }
+        let mut text = String::new();
+        if let Some(registers) = self.model.registers() {
+            registers.push_record(kind, values, " ", &mut text);
+        }
+        self.records.push(text.split(' ').map(str::to_owned).collect());
+    }
+}
+
+/// A triangle of a root, ready for many words of depth. The machines of this search walk depth planes.
+struct Deep<'a> {
+    root: &'a Root,
+    triangle: LatticeTriangle,
+    z: [i128; 3],
+    grid: SampleGrid,
+}
+
+impl<'a> Deep<'a> {
+    /// None for a triangle without depth or area, or one that the machine refuses.
+    fn new(root: &'a Root, primitive: &scene::Primitive, depths: &[DepthConfig]) -> Option<Self> {
+        let scene::Primitive::Triangle(triangle) = primitive else { return None };
+        // All words have as many integer bits, which alone decide the codes of the vertices.
+        let profile = root.profile(None, depths.first().copied());
+        let triangle: LatticeTriangle = *Model::new(&profile).ok()?.snap(triangle).ok()?;
+        if triangle.area2() == 0 || !profile.form.walks_a_plane() {
+            return None;
+        }
+        let triangle = triangle.normalised();
+        Some(Self { root, z: triangle.z?, grid: profile.grid().ok()?, triangle })
+    }
+
+    /// The codes at pixels; none where these words cannot be.
+    fn codes<T>(
+        &self,
+        depth: DepthConfig,
+        at: &BTreeMap<(u32, u32), T>,
+    ) -> Option<impl Iterator<Item = u64>> {
+        let vertex = &self.root.model.profile().vertex;
+        let depth = Depth::new(depth, vertex, Processor::default()).ok()?;
+        let plane = depth.plane(&self.triangle, self.z, &self.grid);
+        Some(at.keys().map(move |(x, y)| depth.code(depth.held(&plane, *x, *y))))
+    }
+}
+
+/// Whether a machine with these words of depth gives the depth of a case.
+fn depth_agrees(root: &Root, depth: DepthConfig, case: &Case) -> bool {
+    let Answer::Picture { depth: expected, .. } = &case.answer else { return true };
+    expected.is_empty()
+        || Deep::new(root, &case.primitive, &[depth])
+            .and_then(|deep| Some(deep.codes(depth, expected)?.eq(expected.values().copied())))
+            .unwrap_or(false)
+}

@@ -1,0 +1,283 @@
+//! Rasterizers that may be behind captures: the decisions of a profile, each with the values it may have.
+//! Spec clauses `ID-1` and `ID-3`.
+
+use crate::bits::Rounding;
+use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};
+use crate::explore::field::{Field, Value};
+use crate::explore::space::Axis;
+use crate::model::Model;
+use crate::profile::{Profile, neighbours};
+use crate::setup::Division;
+use crate::value::{DepthConfig, StartBias};
+use std::collections::BTreeSet;
+
+/// Parts of a pixel at which samples are tried, on each axis.
+const PARTS: u32 = 8;
+/// The most sub-pixel bits that are tried.
+const MOST_SUB_PIXEL: u32 = 12;
+/// The fewest bits of an edge word that are tried.
+const LEAST_WIDTH: u32 = 12;
+/// The most interpolation bits of depth that are tried.
+const MOST_INTERPOLATION: u32 = 24;
+/// Bits of a reciprocal that are tried.
+const RECIPROCALS: std::ops::RangeInclusive<u32> = 8..=24;
+
+/// Rasterizers that differ in nothing but their edge words, and in depth.
+#[derive(Debug)]
+pub(super) struct Root {
+    /// The decisions, in words.
+    pub(super) fields: Vec<(String, String)>,
+    /// The machine without depth, with edge words that hold every value.
+    pub(super) model: Model,
+    /// The edge words that it may have; none where it has no such words.
+    pub(super) words: Vec<EdgeWordConfig>,
+}
+
+/// What is varied.
+#[derive(Clone, Debug)]
+pub struct Hypotheses {
+    base: Profile,
+    axes: Vec<Axis>,
+    changes: Option<u32>,
+}
+
+impl Hypotheses {
+    /// Rasterizers of a base profile's machine in a window: sub-pixel bits, snapping, sample position, fill
+    /// rule, storage and width of edge words, the words of depth if it has depth, and the axes given, which
+    /// replace those of the same field.
+    pub fn of(base: Profile, axes: Vec<Axis>) -> Self {
+        Self { base, axes, changes: None }
+    }
+
+    /// A base profile, and everything that differs from it in at most so many decisions of its machine: for
+    /// machines that begin at registers.
+    pub fn near(base: Profile, changes: u32) -> Self {
+        Self { base, axes: Vec::new(), changes: Some(changes) }
+    }
+
+    /// The profile that is varied.
+    pub const fn base(&self) -> &Profile {
+        &self.base
+    }
+
+    fn axis(&self, name: &str) -> Option<&Axis> {
+        self.axes.iter().find(|axis| axis.field.name() == name)
+    }
+
+    fn numbers(&self, name: &str, all: impl Iterator<Item = u32>) -> Vec<u32> {
+        match self.axis(name) {
+            Some(axis) => axis.values.iter().filter_map(Value::bits).collect(),
+            None => all.collect(),
+        }
+    }
+
+    fn roundings(&self, name: &str) -> Vec<Rounding> {
+        let asked = |rounding: &Rounding| {
+            self.axis(name).is_none_or(|axis| {
+                axis.values.iter().any(|value| value.to_string() == rounding.to_string())
+            })
+        };
+        Rounding::ALL.into_iter().filter(asked).collect()
+    }
+
+    /// Every machine that is thought of, without depth.
+    pub(super) fn roots(&self) -> Vec<Root> {
+        let base = Profile {
+            depth: None,
+            channel: Vec::new(),
+            w: None,
+            multisample: None,
+            ..self.base.clone()
+        };
+        if let Some(changes) = self.changes {
+            return near(&base, changes).into_iter().filter_map(root).collect();
+        }
+        let mut profiles = vec![(Vec::new(), base)];
+        // The machine is chosen first: which other fields there are depends on it.
+        let own: Vec<&Axis> = self.axes.iter().filter(|axis| !of_this_room(axis.field)).collect();
+        for axis in own {
+            profiles = product(profiles, &axis.values, |value, profile| {
+                axis.field
+                    .write(profile, value)
+                    .is_ok()
+                    .then(|| (axis.field.name().to_owned(), value.to_string()))
+            });
+        }
+        let sub_pixels = self.numbers("sub-pixel", 0..=MOST_SUB_PIXEL);
+        profiles = product(profiles, &sub_pixels, |bits, profile| {
+            // The sample is placed below.
+            profile.sample = None;
+            profile.vertex.sub_pixel = *bits;
+            profile.vertex.lattice = None;
+            Some(("sub-pixel".to_owned(), bits.to_string()))
+        });
+        profiles = product(profiles, &self.roundings("snap"), |snap, profile| {
+            profile.vertex.snap = *snap;
+            Some(("snap".to_owned(), snap.to_string()))
+        });
+        profiles = product(profiles, &self.samples(), |at, profile| {
+            let place = at.map(|part| {
+                let scaled = u64::from(part) << profile.vertex.sub_pixel;
+                (scaled % u64::from(PARTS) == 0).then_some(scaled / u64::from(PARTS))
+            });
+            let [Some(x), Some(y)] = place.map(|p| p.and_then(|p| u32::try_from(p).ok())) else {
+                return None;
+            };
+            profile.sample = Some(SampleConfig { x, y });
+            let [x, y] = at.map(part);
+            Some(("sample".to_owned(), format!("({x}, {y}) of a pixel")))
+        });
+        let with_edges = profiles.iter().any(|(_, profile)| profile.form.edge().is_some());
+        if with_edges {
+            profiles = product(profiles, &FillRule::ALL, |rule, profile| {
+                match profile.form.edge_mut() {
+                    Some(edge) => edge.rule = *rule,
+                    // A machine without edge words has its own rule: one of the two is enough.
+                    None if *rule == FillRule::ALL[0] => {}
+                    None => return None,
+                }
+                let name = match rule {
+                    FillRule::TopLeft => "top-left",
+                    FillRule::Shadow => "shadow",
+                };
+                Some(("rule".to_owned(), name.to_owned()))
+            });
+        }
+        profiles.into_iter().filter_map(root).collect()
+    }
+
+    /// The sample positions that are tried, in parts of a pixel; that of a base profile that places its sample
+    /// elsewhere is not among them.
+    fn samples(&self) -> Vec<[u32; 2]> {
+        let all = 0..PARTS;
+        all.clone().flat_map(|y| all.clone().map(move |x| [x, y])).collect()
+    }
+
+    /// The words of depth that are thought of; none where the base has no depth.
+    pub(super) fn depths(&self) -> Vec<DepthConfig> {
+        let Some(base) = self.base.depth else { return Vec::new() };
+        let divisions: Vec<Division> = match self.axis("reciprocal") {
+            None => std::iter::once(Division::Quotient)
+                .chain(RECIPROCALS.map(|bits| Division::Reciprocal { bits }))
+                .collect(),
+            Some(_) => vec![base.division],
+        };
+        let mut depths = Vec::new();
+        for division in divisions {
+            for interpolation in self.numbers("interpolation", 0..=MOST_INTERPOLATION) {
+                for rounding in self.roundings("rounding") {
+                    for start_bias in [StartBias::None, StartBias::Half] {
+                        // Without a fraction there is no half.
+                        if interpolation > 0 || start_bias == StartBias::None {
+                            depths.push(DepthConfig {
+                                interpolation,
+                                rounding,
+                                start_bias,
+                                division,
+                                ..base
+                            });
+                        }
+                    }
+                }
+            }
+        }
+        depths
+    }
+}
+
+/// Fields that this room varies in its own way.
+fn of_this_room(field: Field) -> bool {
+    ["sub-pixel", "snap", "interpolation", "rounding", "start-bias", "reciprocal"]
+        .contains(&field.name())
+}
+
+type Described = (Vec<(String, String)>, Profile);
+
+/// Each profile with each value that it takes.
+fn product<T>(
+    profiles: Vec<Described>,
+    values: &[T],
+    set: impl Fn(&T, &mut Profile) -> Option<(String, String)>,
+) -> Vec<Described> {
+    let mut all = Vec::with_capacity(profiles.len() * values.len());
+    for (fields, profile) in profiles {
+        for value in values {
+            let mut changed = profile.clone();
+            if let Some(field) = set(value, &mut changed) {
+                all.push((fields.iter().cloned().chain([field]).collect(), changed));
+            }
+        }
+    }
+    all
+}
+
+/// A profile and its neighbours, and theirs.
+fn near(base: &Profile, changes: u32) -> Vec<Described> {
+    let named = |changes: &[String]| {
+        let text = if changes.is_empty() { "none".to_owned() } else { changes.join("; ") };
+        vec![("changes".to_owned(), text)]
+    };
+    let mut seen = BTreeSet::from([base.to_toml()]);
+    let mut all = vec![(named(&[]), base.clone())];
+    let mut last = vec![(Vec::new(), base.clone())];
+    for _ in 0..changes {
+        let mut next = Vec::new();
+        for (before, profile) in &last {
+            for neighbour in neighbours(profile) {
+                if seen.insert(neighbour.profile.to_toml()) {
+                    let mut changes: Vec<String> = before.clone();
+                    changes.push(neighbour.change);
+                    all.push((named(&changes), neighbour.profile.clone()));
+                    next.push((changes, neighbour.profile));
+                }
+            }
+        }
+        last = next;
+    }
+    all
+}
+
+/// A profile, ready to draw; none where it is not valid.
+fn root((fields, mut profile): Described) -> Option<Root> {
+    let mut words = Vec::new();
+    if let Some(own) = profile.form.edge().copied() {
+        for storage in [EdgeStorage::Shifted, EdgeStorage::Full] {
+            profile.form.edge_mut()?.storage = storage;
+            // Words that are wider draw the same.
+            let widest = profile.exact_edge_width()?.min(120);
+            let width = |width| EdgeWordConfig { storage, width, ..own };
+            words.extend((LEAST_WIDTH.min(widest)..=widest).map(width));
+        }
+        // The last is full and holds every value.
+        *profile.form.edge_mut()? = *words.last()?;
+    }
+    let model = Model::new(&profile).ok()?;
+    Some(Root { fields, model, words })
+}
+
+/// A part of a pixel, as people write it.
+fn part(part: u32) -> String {
+    match (part, PARTS) {
+        (0, _) => "0".to_owned(),
+        (part, parts) => {
+            let twos = part.trailing_zeros().min(parts.trailing_zeros());
+            format!("{}/{}", part >> twos, parts >> twos)
+        }
+    }
+}
+
+impl Root {
+    /// The profile with some edge words.
+    pub(super) fn profile(
+        &self,
+        words: Option<EdgeWordConfig>,
+        depth: Option<DepthConfig>,
+    ) -> Profile {
+        let mut profile = Profile { depth, ..self.model.profile().clone() };
+        if let (Some(own), Some(words)) = (profile.form.edge_mut(), words) {
+            own.storage = words.storage;
+            own.width = words.width;
+        }
+        profile
+    }
+}
