@@ -50,7 +50,8 @@ impl<'a> Inspector<'a> {
         let walk = depth.filter(|_| planar);
         let walk = walk.map(|(depth, surface)| Walk::new(self.stage, depth, face, surface));
         let own = depth.filter(|_| !planar);
-        let own = own.map(|(_, surface)| (Held::draw(&self.model, face, surface), surface));
+        let own =
+            own.map(|(_, surface)| (Held::draw(self.stage, &self.model, face, surface), surface));
         let ulp = |x, y| match (&walk, &own, self.model.depth()) {
             (Some(walk), ..) => walk.held_ulp(self.stage, x, y),
             (_, Some((held, surface)), Some(depth)) => {

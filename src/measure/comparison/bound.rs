@@ -30,10 +30,12 @@ fn bounded<'a>(stage: &'a Stage, face: &'a accuracy::Face) -> Face<'a> {
 
 /// Looks at every sample of a stage through a profile.
 pub(super) fn used(stage: &Stage, profile: &Profile) -> Result<Used, InvalidProfile> {
-    // A division by reciprocals and a clamp other than the guard's have errors of their own.
+    // A division by reciprocals and a clamp other than the guard's have errors of their own; what a depth bias
+    // moves beyond the range is clamped.
     let holds = profile.depth.is_none_or(|depth| {
         depth.division == crate::setup::Division::Quotient
             && depth.clamp == crate::format::Clamp::Guard
+            && depth.bias.is_none()
     });
     let inspector = Inspector::new(stage, profile)?;
     let mut used = Used { depth: Some(0.0), beyond: Some(0) };
