@@ -194,6 +194,12 @@ impl Depth {
         self.gained(&plane, z)
     }
 
+    /// The same without a depth bias: what evaluates a value that is no depth.
+    #[must_use]
+    pub fn unbiased(&self) -> Self {
+        Self { config: DepthConfig { bias: None, ..self.config }, ..*self }
+    }
+
     /// The configuration.
     pub fn config(&self) -> &DepthConfig {
         &self.config

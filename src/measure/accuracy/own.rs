@@ -91,12 +91,14 @@ pub(super) fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile, depth: &D
     let none = Reach::default();
     let mut tally = drawn.tally;
     let mut values = Values::default();
-    if let Ok(model) = Model::new(profile) {
+    let models =
+        Model::new(profile).and_then(|model| Ok((model, Model::new(&profile.unbiased())?)));
+    if let Ok((model, plain)) = models {
         for (n, face) in stage.faces.iter().enumerate() {
             let runs = drawn.runs(stage, n);
-            let note = |surface: &Option<Surface>, world: &World, into: &mut ValueTally| {
+            let note = |model, surface: &Option<Surface>, world: &World, into: &mut ValueTally| {
                 let surface = surface.as_ref()?;
-                let held = Held::draw(stage, &model, face, surface);
+                let held = Held::draw(stage, model, face, surface);
                 for (y, x) in runs.iter().flat_map(|run| (run.x0..run.x1).map(|x| (run.y, x))) {
                     if let Some(ulp) = held.ulp(stage, depth, surface, x, y) {
                         into.note(world, ulp, surface.code.at(x, y) / stage.world.top);
@@ -105,9 +107,10 @@ pub(super) fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile, depth: &D
                 into.settle(world);
                 Some(held)
             };
-            let attribute = note(&face.attribute, &stage.world.flat(), &mut values.attribute);
+            let attribute =
+                note(&plain, &face.attribute, &stage.world.flat(), &mut values.attribute);
             values.attribute_extent.widen(extent(attribute.as_ref()));
-            let held = note(&face.depth, &stage.world, &mut values.depth);
+            let held = note(&model, &face.depth, &stage.world, &mut values.depth);
             values.depth_extent.widen(extent(held.as_ref()));
             let events = held.map(|held| held.events).unwrap_or_default();
             values.wraps += events.count(Event::Wrap);

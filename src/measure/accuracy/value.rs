@@ -132,7 +132,8 @@ impl Values {
 /// Measures the values of a face over runs of samples.
 pub fn face_values(stage: &Stage, depth: &Depth, face: &Face, runs: &[Span], values: &mut Values) {
     if let Some(attribute) = &face.attribute {
-        let (walk, world) = (Walk::new(stage, depth, face, attribute), stage.world.flat());
+        let depth = depth.unbiased();
+        let (walk, world) = (Walk::new(stage, &depth, face, attribute), stage.world.flat());
         for run in runs {
             let plain = walk.reach(run, &mut values.attribute_extent);
             walk.errors(stage, &world, run, plain, &mut values.attribute);

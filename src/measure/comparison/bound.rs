@@ -38,7 +38,8 @@ pub(super) fn used(stage: &Stage, profile: &Profile) -> Result<Used, InvalidProf
             && depth.bias.is_none()
     });
     let inspector = Inspector::new(stage, profile)?;
-    let mut used = Used { depth: Some(0.0), beyond: Some(0) };
+    let biased = profile.depth.is_some_and(|depth| depth.bias.is_some());
+    let mut used = Used { depth: (!biased).then_some(0.0), beyond: Some(0) };
     for face in &stage.faces {
         let seen = bounded(stage, face);
         let surface = face.depth.as_ref().filter(|_| holds);
