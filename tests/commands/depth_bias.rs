@@ -176,7 +176,7 @@ fn explore_varies_the_bias() {
         let number = |at: usize| cells[at].parse::<f64>().unwrap();
         // A constant moves all alike. In column x the flat one is 31 - 2 x codes behind. Five slopes, 10 codes,
         // take the steep ones behind it from column 11 on; 50 slopes, 100 codes, at all 120 covered pixels.
-        match number(slope) as i64 {
+        match cells[slope].parse::<i64>().unwrap() {
             0 => assert!(number(inversions) == 0.0, "{line}"),
             1280 => assert!((1.0..120.0).contains(&number(inversions)), "{line}"),
             _ => assert!(number(inversions) >= 120.0, "{line}"),

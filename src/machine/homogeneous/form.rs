@@ -52,7 +52,7 @@ impl HomogeneousConfig {
 impl HomogeneousConfig {
     /// Whether a depth bias can be set up for vertices that are not projected. Spec clause `Z-7`.
     fn check_bias(
-        &self,
+        self,
         vertex: &VertexConfig,
         depth: &DepthConfig,
         bias: DepthBias,
