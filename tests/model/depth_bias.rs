@@ -3,11 +3,12 @@
 
 use guardbit::bits::Rounding;
 use guardbit::exact::{Rational, dyadic, integer, ratio, round};
+use guardbit::explore::field::{Field, Value};
 use guardbit::format::Unreduced;
 use guardbit::machine::{DrawError, Sink, triangle_machines};
-use guardbit::model::Model;
+use guardbit::model::{Model, Raster};
 use guardbit::profile::{Profile, WindowConfig, load, parse};
-use guardbit::setup::{Plane, Polygon, Triangle};
+use guardbit::setup::{ClipTriangle, Plane, Polygon, Triangle};
 use guardbit::value::{DepthBias, DepthFormat};
 use num_traits::ToPrimitive;
 
@@ -280,4 +281,39 @@ fn a_polygon_with_depth_has_no_bias() {
     profile.depth.as_mut().unwrap().bias = Some(DepthBias::default());
     assert_eq!(draw(&profile, square(Some(vec![5; 4]))), Err(DrawError::PolygonBias));
     assert_eq!(draw(&profile, square(None)), Ok(0));
+}
+
+/// Clause Z-7 on the other ways to a depth: several samples a pixel, an order of visits, memory, vertices that are
+/// not projected. A flat triangle of depth 100 gains 3 codes, no slope.
+#[test]
+fn every_way_to_a_depth_has_the_bias() {
+    let bias = Some(DepthBias { constant: 3, slope: 256, ..DepthBias::default() });
+    let biased = |mut profile: Profile| {
+        profile.depth.as_mut().unwrap().bias = bias;
+        profile
+    };
+    let all = |codes: &[u64]| !codes.is_empty() && codes.iter().all(|code| *code == 103);
+    let triangle = Triangle { xy: [[0, 0], [18, 0], [0, 18]], z: Some([100; 3]) };
+    let profile = biased(toy());
+    assert!(all(&kept(&profile, triangle).codes));
+    let mut many = profile.clone();
+    many.multisample = load("vulkan-8bit-4x").unwrap().multisample;
+    many.vertex.sub_pixel = 4;
+    many.form.edge_mut().unwrap().width = 30;
+    let large = Triangle { xy: triangle.xy.map(|v| v.map(|at| 8 * at)), ..triangle };
+    assert!(all(&kept(&many, large).codes));
+    let mut ordered = profile.clone();
+    Field::find("traversal").unwrap().write(&mut ordered, &Value::Name("morton")).unwrap();
+    assert!(all(&kept(&ordered, triangle).codes));
+    let model = Model::new(&profile).unwrap();
+    let mut raster = Raster::new(profile.window().unwrap());
+    model.fill(&model.place(triangle).unwrap(), &mut raster).unwrap();
+    assert!((0..8).all(|y| raster.depth(y)[0] == 103), "{raster:?}");
+    let homogeneous = biased(toy().with_machine("homogeneous").unwrap());
+    // Twice as far: X, Y and Z are over W = 2.
+    let xyw = triangle.xy.map(|[x, y]| [2 * x, 2 * y, 2]);
+    let clip = ClipTriangle { xyw, z: Some([200; 3]) };
+    let mut kept_clip = Kept::default();
+    Model::new(&homogeneous).unwrap().draw(&clip, &mut kept_clip).unwrap();
+    assert!(all(&kept_clip.codes));
 }
