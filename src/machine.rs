@@ -204,6 +204,12 @@ pub enum DrawError {
         /// The machine.
         machine: &'static str,
     },
+    /// A depth bias of what has no plane.
+    #[error(
+        "the profile has [depth.bias], and polygons have no depth slope of their own, because more than \
+         three points may not lie on one plane; leave z out, draw triangles, or leave the bias out"
+    )]
+    PolygonBias,
     /// Another number of words.
     #[error("{got} words are given, but this machine takes {need}")]
     Words {

@@ -180,6 +180,12 @@ impl InvalidProfile {
             Self::Depth(DepthError::Division(_)) => &["depth", "division"],
             Self::Depth(DepthError::Growth { .. }) => &["depth", "interpolation"],
             Self::Depth(DepthError::Format(_)) => &["depth", "format"],
+            Self::Depth(DepthError::Bias(error)) => match error.field() {
+                "unit" => &["depth", "bias", "unit"],
+                "constant" => &["depth", "bias", "constant"],
+                "clamp" => &["depth", "bias", "clamp"],
+                _ => &["depth", "bias", "slope"],
+            },
             Self::W(_) => &["w"],
             Self::Channel(_) | Self::NoChannels(_) | Self::ChannelAt { .. } => &["channel"],
         }

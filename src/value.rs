@@ -22,7 +22,7 @@ pub use attribute::{
 pub use channel::{Channel, ChannelConfig, ChannelError, Extension};
 pub use correct::{Corrector, Divided, InverseRun, Line};
 pub use depth::{Depth, DepthConfig, DepthError, StartBias};
-pub use depth_bias::DepthBias;
+pub use depth_bias::{DepthBias, DepthBiasError};
 pub use depth_buffer::{Compare, DepthBuffer};
 pub use depth_codec::{leading_ones, slope_code, w_float};
 pub use depth_format::{DepthFormat, DepthFormatError};

@@ -1,7 +1,10 @@
 //! `guardbit eval`: the live model on a pipe.
 
+mod bias;
+
 use super::Outcome;
 use super::failure::Failure;
+use bias::Models;
 use guardbit::machine::{Registers, Sink};
 use guardbit::model::{Drawing, Model, Primitive, PrimitiveError, Records, View};
 use guardbit::profile;
@@ -24,6 +27,8 @@ const LONGEST: u64 = 1 << 24;
 /// On a profile with channels, "channels": {"color": [[r,g,b],[r,g,b],[r,g,b]], ...} gives their values, and
 /// "q": [...] beside "v" (codes of 1/w) or "w": [...] beside "f" (distances from the eye) what perspective
 /// needs.
+/// "bias": {"constant": 2, "slope": 256, "clamp": 9, "unit": 1} is the depth bias of the draw call, in place of
+/// [depth.bias] of the profile: slope in 1/256; what is left out is 0, and unit 1.
 /// "words": ["...", ...] are the registers of a register-level machine, in the radix of the profile.
 ///
 /// Output: {"id": 7, "rows": [[y, x0, x1], ...], "z": [...], "events": {...}}.
@@ -50,6 +55,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = profile::load(&arguments.profile)?;
     let view = View { window: arguments.window, scissor: arguments.scissor, ..View::default() };
     let model = Model::with_view(&profile, view).map_err(Failure::input)?;
+    let mut models = Models::new(model, view);
     let mut input = std::io::stdin().lock();
     let mut output = std::io::stdout().lock();
     let mut drawing = Drawing::default();
@@ -74,7 +80,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let _ = write!(answer, "{{\"id\": null, \"error\": \"{message}\"}}");
             all_good = false;
         } else {
-            all_good &= reply(&model, &line, number, &mut drawing, &mut answer);
+            all_good &= reply(&mut models, &line, number, &mut drawing, &mut answer);
         }
         answer.push('\n');
         output
@@ -87,7 +93,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 
 /// Answers one line; false for an error answer.
 fn reply(
-    model: &Model,
+    models: &mut Models,
     line: &[u8],
     number: u64,
     drawing: &mut Drawing,
@@ -108,6 +114,10 @@ fn reply(
         Err(error) => return refuse(answer, error.id.as_deref(), &error.to_string()),
     };
     let id = request.id.as_deref();
+    let model = match models.of(request.bias) {
+        Ok(model) => model,
+        Err(message) => return refuse(answer, id, &message),
+    };
     let key = request.primitive.key();
     let given = [request.primitive.has_depth(), request.shading.is_some()];
     let prepared = model.prepare(&request.primitive).and_then(|primitive| match &request.shading {

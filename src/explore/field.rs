@@ -166,6 +166,7 @@ impl Field {
     pub fn words(self) -> Vec<&'static str> {
         match self.decision.takes {
             Takes::Bits { word, .. } => word.into_iter().collect(),
+            Takes::Number { .. } => Vec::new(),
             Takes::Words(words) => words(),
         }
     }
@@ -183,18 +184,21 @@ impl Field {
         if let Some(word) = self.words().into_iter().find(|word| *word == text) {
             return Ok(Value::Name(word));
         }
-        match text.parse() {
-            Ok(bits) if self.is_bits() => Ok(Value::Bits(bits)),
-            _ => Err(self.unfit(text)),
-        }
+        let number = match self.takes() {
+            Takes::Bits { .. } => text.parse().ok().map(Value::Bits),
+            Takes::Number { .. } => text.parse().ok().map(Value::Number),
+            Takes::Words(_) => None,
+        };
+        number.ok_or_else(|| self.unfit(text))
     }
 
     fn unfit(self, value: impl Display) -> FieldError {
         let words = self.words().join(", ");
-        let expected = match (self.is_bits(), words.is_empty()) {
-            (true, true) => "a number of bits is expected".to_owned(),
-            (true, false) => format!("a number of bits or {words} is expected"),
-            _ => format!("one of {words} is expected"),
+        let expected = match (self.takes(), words.is_empty()) {
+            (Takes::Bits { .. }, true) => "a number of bits is expected".to_owned(),
+            (Takes::Bits { .. }, false) => format!("a number of bits or {words} is expected"),
+            (Takes::Number { .. }, _) => "a whole number with its sign is expected".to_owned(),
+            (Takes::Words(_), _) => format!("one of {words} is expected"),
         };
         FieldError::Value { field: self.name(), value: value.to_string(), expected }
     }

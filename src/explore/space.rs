@@ -55,9 +55,9 @@ pub enum SpaceError {
         /// The field.
         field: &'static str,
         /// Where the range begins.
-        low: u32,
+        low: i64,
         /// Where it ends.
-        high: u32,
+        high: i64,
     },
     /// A range of more values than any field has.
     #[error("{field}={low}..{high} has {count} values, but a field may have at most {most}", most = MOST_VALUES)]
@@ -65,9 +65,9 @@ pub enum SpaceError {
         /// The field.
         field: &'static str,
         /// Where the range begins.
-        low: u32,
+        low: i64,
         /// Where it ends.
-        high: u32,
+        high: i64,
         /// How many values that is.
         count: u64,
     },
@@ -128,18 +128,21 @@ impl Axis {
                 continue;
             };
             let end = |text: &str| match field.parse(text.trim_start_matches('=').trim())? {
-                Value::Bits(bits) => Ok(bits),
+                Value::Bits(bits) => Ok(i64::from(bits)),
+                Value::Number(number) => Ok(number),
                 Value::Name(_) => Err(syntax()),
             };
             let (low, high, name) = (end(low)?, end(high)?, field.name());
             if low > high {
                 return Err(SpaceError::Empty { field: name, low, high });
             }
-            let count = u64::from(high - low) + 1;
+            let count = high.abs_diff(low).saturating_add(1);
             if count > MOST_VALUES {
                 return Err(SpaceError::Long { field: name, low, high, count });
             }
-            values.extend((low..=high).map(Value::Bits));
+            for number in low..=high {
+                values.push(field.parse(&number.to_string())?);
+            }
         }
         // A value named twice is one budget.
         let mut seen = Vec::with_capacity(values.len());
@@ -354,6 +357,6 @@ pub fn describe(profile: &Profile) -> Vec<(&'static str, Value)> {
 fn sum(profile: &Profile, fields: [Field; 3]) -> Option<u32> {
     fields.into_iter().try_fold(0, |sum, field| match field.read(profile)? {
         Value::Bits(bits) => Some(sum + bits),
-        Value::Name(_) => None,
+        Value::Number(_) | Value::Name(_) => None,
     })
 }

@@ -10,6 +10,8 @@ use std::fmt::Display;
 pub enum Value {
     /// A number of bits.
     Bits(u32),
+    /// A number that counts no bits, of either sign.
+    Number(i64),
     /// A choice.
     Name(&'static str),
 }
@@ -18,17 +20,26 @@ impl Display for Value {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Bits(bits) => write!(f, "{bits}"),
+            Self::Number(number) => write!(f, "{number}"),
             Self::Name(name) => f.write_str(name),
         }
     }
 }
 
 impl Value {
-    /// The number; `None` for a word.
+    /// The number of bits; `None` for what counts none.
     pub const fn bits(&self) -> Option<u32> {
         match self {
             Self::Bits(bits) => Some(*bits),
-            Self::Name(_) => None,
+            Self::Number(_) | Self::Name(_) => None,
+        }
+    }
+
+    /// The number that counts no bits; `None` for bits and words.
+    pub const fn number(&self) -> Option<i64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            Self::Bits(_) | Self::Name(_) => None,
         }
     }
 
@@ -61,6 +72,13 @@ pub enum Takes {
         /// A word beside the numbers.
         word: Option<&'static str>,
     },
+    /// A number that counts no bits.
+    Number {
+        /// The least that any profile allows; the rest of the profile can ask for more.
+        least: i64,
+        /// The most that any profile allows.
+        most: i64,
+    },
     /// One of these words.
     Words(fn() -> Vec<&'static str>),
 }
@@ -87,6 +105,16 @@ impl Decision {
         [least, most]: [u32; 2],
     ) -> Self {
         Self { name, level, clause, takes: Takes::Bits { least, most, word: None } }
+    }
+
+    /// A number of either sign in a range.
+    pub const fn number(
+        name: &'static str,
+        level: Level,
+        clause: &'static str,
+        [least, most]: [i64; 2],
+    ) -> Self {
+        Self { name, level, clause, takes: Takes::Number { least, most } }
     }
 
     /// One of a list of words.

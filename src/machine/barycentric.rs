@@ -208,7 +208,8 @@ impl Barycentric {
     fn weighted(&self, triangle: &Triangle) -> Option<(Depth, Weighted)> {
         let (depth, z) = self.depth.zip(triangle.z)?;
         let shares = self.shares(triangle, &self.target.grid);
-        let format = (depth.read_out().fraction(), depth.start_bias());
+        let gain = depth.gain(triangle, z, &self.target.grid);
+        let format = (depth.read_out().fraction(), gain);
         Some((depth, Weighted::new(shares, z, 0, format)))
     }
 

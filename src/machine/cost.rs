@@ -192,7 +192,25 @@ impl Count {
             (StartBias::Half, 1..) => Self::new(1, 0, 0, 0),
             _ => Self::default(),
         };
-        gradient + offset + divided + bias
+        gradient + offset + divided + bias + Self::depth_bias(depth)
+    }
+
+    /// What the depth bias adds to a plane's start takes: clause `Z-7`.
+    pub fn depth_bias(depth: &DepthConfig) -> Self {
+        let Some(bias) = depth.bias else { return Self::default() };
+        let some = |needed: bool, count: Self| if needed { count } else { Self::default() };
+        Self::new(1, 0, 0, 0)
+            + some(bias.slope != 0, Self::new(1, 1, 0, 1))
+            + some(bias.clamp != 0, Self::new(0, 0, 0, 1))
+            // The largest of three depths.
+            + some(bias.constant != 0 && depth.is_float(), Self::new(0, 0, 0, 2))
+    }
+
+    /// The same on a machine without a plane, which sets two slopes up for it.
+    pub fn depth_bias_alone(depth: &DepthConfig) -> Self {
+        let sloped = depth.bias.is_some_and(|bias| bias.slope != 0);
+        let slopes = if sloped { Self::new(8, 4, 2, 0) } else { Self::default() };
+        slopes + Self::depth_bias(depth)
     }
 
     /// Clause `G-6`; a sticky accumulator is held at two ends instead (`G-5`).

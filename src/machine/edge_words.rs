@@ -34,7 +34,7 @@ pub(super) fn decided(name: &str, value: &Value, exact: Option<u32>) -> Result<u
     match value {
         Value::Bits(bits) => Ok(*bits),
         Value::Name(EXACT) => exact.ok_or(Refused::Absent),
-        Value::Name(_) => Err(Refused::Unfit),
+        Value::Number(_) | Value::Name(_) => Err(Refused::Unfit),
     }
 }
 

@@ -56,12 +56,13 @@ impl Gouraud {
         Self { config, word, depth, target, ports: Ports::valued(vertex, setup, depth) }
     }
 
-    fn edge(&self, ends: [[i128; 2]; 2], z: Option<[i128; 2]>) -> Option<Edge> {
+    /// An edge whose depth gains so much.
+    fn edge(&self, ends: [[i128; 2]; 2], z: Option<[i128; 2]>, gain: i128) -> Option<Edge> {
         let x = self.config.edge(ends[0], ends[1], &self.target.grid)?;
         let depth = self.depth.zip(z).map(|(depth, z)| {
             let (rounding, fraction) = (depth.config().rounding, depth.read_out().fraction());
             let [start, slope] = descend(&self.target.grid, &x, ends, (z, 0), (rounding, fraction));
-            [start + depth.start_bias(), slope]
+            [start + gain, slope]
         });
         Some(Edge { x, depth })
     }
@@ -149,9 +150,11 @@ impl Gouraud {
     fn triangle(&self, triangle: &Triangle, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(triangle, out) else { return Ok(()) };
         let (v, z) = (triangle.xy, triangle.z);
+        let valued = self.depth.zip(z);
+        let gain = valued.map_or(0, |(depth, z)| depth.gain(&triangle, z, &self.target.grid));
         let edges: [Option<Edge>; 3] = std::array::from_fn(|k| {
             let next = (k + 1) % 3;
-            self.edge([v[k], v[next]], z.map(|z| [z[k], z[next]]))
+            self.edge([v[k], v[next]], z.map(|z| [z[k], z[next]]), gain)
         });
         let words = edges.iter().flat_map(|edge| {
             let x = self.config.values(edge.as_ref().map(|edge| &edge.x));
@@ -169,7 +172,12 @@ impl Gouraud {
     }
 
     fn polygon(&self, polygon: &Polygon, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let edges: Vec<Edge> = polygon.edges().filter_map(|(ends, z)| self.edge(ends, z)).collect();
+        if self.depth.is_some_and(|depth| depth.config().bias.is_some()) && polygon.z.is_some() {
+            return Err(DrawError::PolygonBias);
+        }
+        let gain = self.depth.map_or(0, |depth| depth.start_bias());
+        let edges: Vec<Edge> =
+            polygon.edges().filter_map(|(ends, z)| self.edge(ends, z, gain)).collect();
         self.walk(&edges, polygon.extent(1), out)
     }
 }

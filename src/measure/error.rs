@@ -125,6 +125,8 @@ pub fn triangle_error(
     let drawn_rows =
         drawing.spans.first().map_or(y0..y0, |s| s.y..drawing.spans[drawing.spans.len() - 1].y + 1);
     let plane = triangle.z.and_then(|z| PlaneNumerator::new(triangle.xy, z)).zip(model.depth());
+    let turned = triangle.normalised();
+    let gain = model.depth().zip(turned.z).map_or(0, |(depth, z)| depth.gain(&turned, z, &grid));
     let pitch = 1 << grid.sub_pixel;
     let (mut next, mut held) = (0, drawing.held.iter());
     for y in y0.min(drawn_rows.start)..y1.max(drawn_rows.end) {
@@ -151,7 +153,7 @@ pub fn triangle_error(
                     (Some((exact, depth)), Some(held)) => {
                         // What wraps reads as what it wrapped to; what is clamped, as the clamp.
                         let at = grid.position(i128::from(x), i128::from(y));
-                        above(exact, at, held - depth.start_bias(), depth.read_out().fraction())
+                        above(exact, at, held - gain, depth.read_out().fraction())
                     }
                     _ => 0.0,
                 }),

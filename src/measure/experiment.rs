@@ -224,7 +224,7 @@ fn outlines() -> Vec<OutlineRow> {
         let walked = crate::setup::Plane::new(Unreduced::new(0, 0), slope(0), slope(1))
             .unwrap_or_else(|error| unreachable!("{error}"));
         let bias = DepthBias { constant: 1, unit: 1, slope: 256, clamp: 0 };
-        let bias = bias.of(&walked, Rounding::Ceiling);
+        let bias = bias.of(&walked, (1, 1), Rounding::Ceiling);
         for k in 0..3 {
             let (a, b) = (v[k], v[(k + 1) % 3]);
             let d = [b[0] - a[0], b[1] - a[1]];

@@ -17,6 +17,14 @@ impl Profile {
         }
     }
 
+    /// The same profile without a depth bias, for values that are no depth.
+    #[must_use]
+    pub fn unbiased(&self) -> Self {
+        let mut profile = self.clone();
+        profile.depth.iter_mut().for_each(|depth| depth.bias = None);
+        profile
+    }
+
     /// The edge words of a plain engine: edge functions over a box and one sample a pixel, and with
     /// depth a plane whose integer part is stored. `None` for any other profile.
     pub fn plain_edges(&self) -> Option<EdgeWordConfig> {

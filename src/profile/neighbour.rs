@@ -6,7 +6,7 @@ use crate::cover::SampleConfig;
 use crate::format::Clamp;
 use crate::machine::{Step, near};
 use crate::setup::Division;
-use crate::value::{DepthConfig, StartBias};
+use crate::value::{DepthBias, DepthConfig, StartBias};
 use std::fmt::Display;
 
 /// A profile that differs in one decision, and that decision in words.
@@ -26,6 +26,16 @@ pub fn neighbours(profile: &Profile) -> Vec<Neighbour> {
     list.vertex();
     list.found
 }
+
+/// A term of the depth bias, and its absence.
+type Term = (&'static str, fn(&mut DepthBias));
+
+/// What a set-up that forgets a term of the depth bias does.
+const BIAS_LEFT_OUT: [Term; 3] = [
+    ("constant", |bias| bias.constant = 0),
+    ("slope", |bias| bias.slope = 0),
+    ("clamp", |bias| bias.clamp = 0),
+];
 
 struct List<'a> {
     profile: &'a Profile,
@@ -68,6 +78,14 @@ impl List<'_> {
             [(StartBias::Half, "half", "none"), (StartBias::None, "none", "half")]
         {
             self.add("depth.start-bias", &name, &other, with(&|d| d.start_bias = bias));
+        }
+        for (key, change) in BIAS_LEFT_OUT {
+            if let Some(bias) = depth.bias {
+                let mut without = bias;
+                change(&mut without);
+                let changed = with(&|d| d.bias = Some(without));
+                self.add(&format!("depth.bias.{key}"), &"left out", &"added", changed);
+            }
         }
         let was = match depth.division {
             Division::Quotient => "an exact quotient".to_owned(),

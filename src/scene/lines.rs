@@ -20,12 +20,20 @@
 //! | `q` | `[q,q,q]` | beside `v`: codes of 1/w |
 //! | `w` | `[w,w,w]` | beside `f`: distances from the eye, above 0 |
 //!
+//! Beside `v`, `f` and `clip` there may be the depth bias of the draw call, in place of the profile's `[depth.bias]`;
+//! a scene has none:
+//!
+//! | key | value | meaning |
+//! | --- | --- | --- |
+//! | `bias` | `{"constant": 2, "slope": 256, "clamp": 9, "unit": 1}` | integers, slope in 1/256; what is left out is 0, and unit 1 |
+//!
 //! In a scene the names are those that `source` of the channels gives, and there may be more of them, and more
 //! components, than a profile takes.
 //!
 //! z may be left out, for all three vertices at once. An integer is a plain JSON number or a string
 //! of decimal digits, and never passes through a double.
 
+mod bias;
 mod channels;
 mod number;
 mod object;
@@ -35,6 +43,7 @@ mod write;
 use serde_json::value::RawValue;
 
 use super::{Primitive, Shading, Triangle};
+use crate::value::DepthBias;
 use number::{integer, list, real, triple, word};
 pub use write::to_line;
 
@@ -47,6 +56,8 @@ pub struct Request {
     pub primitive: Primitive,
     /// What its vertices bring for channels.
     pub shading: Option<Shading>,
+    /// The depth bias of the draw call, in place of the profile's.
+    pub bias: Option<DepthBias>,
 }
 
 /// A line that cannot be read: where in it, and why.
@@ -87,7 +98,8 @@ pub enum Fault {
     },
     /// A key nobody reads.
     #[error(
-        "unknown key; the known keys are id, v, f, words, line, point, polygon, clip, channels, q, w"
+        "unknown key; the known keys are id, v, f, words, line, point, polygon, clip, channels, q, w, \
+         bias"
     )]
     UnknownKey,
     /// A key given twice.
@@ -140,6 +152,18 @@ pub enum Fault {
     /// Channels of what has none.
     #[error("only triangles under `v` or `f` have channels")]
     NoVertices,
+    /// A depth bias of what has no depth slope.
+    #[error("only triangles under `v`, `f` or `clip` have a depth bias; leave it out")]
+    NoBias,
+    /// A depth bias in a scene.
+    #[error(
+        "a triangle of a scene has no depth bias of its own; write [depth.bias] in the profile, or give the \
+         lines to `guardbit eval`"
+    )]
+    BiasOfScene,
+    /// A key of a depth bias that nobody reads.
+    #[error("unknown key; the keys of a depth bias are constant, slope, clamp, unit")]
+    UnknownTerm,
     /// A number with a fraction or an exponent, or no number, where an integer is needed.
     #[error(
         "{0} is not an integer; write decimal digits without point or exponent, or use `f` for real numbers"
@@ -176,7 +200,7 @@ pub fn parse_line(line: &str) -> Result<Request, LineError> {
             (id.map(|(_, raw)| raw.get().to_owned()), asked(&members))
         })?;
     match read {
-        Ok((primitive, shading)) => Ok(Request { id, primitive, shading }),
+        Ok((primitive, shading, bias)) => Ok(Request { id, primitive, shading, bias }),
         Err((field, fault)) => {
             let place = if field.is_empty() { "line".into() } else { format!("field `{field}`") };
             Err(LineError { id, place, fault })
@@ -207,28 +231,36 @@ pub fn parse_scene(text: &str) -> Result<Vec<SceneLine>, (usize, LineError)> {
             continue;
         }
         let line = index + 1;
-        let Request { id, primitive, shading } = parse_line(text).map_err(|error| (line, error))?;
+        let Request { id, primitive, shading, bias } =
+            parse_line(text).map_err(|error| (line, error))?;
         let place = format!("field `{}`", primitive.key());
         let Primitive::Triangle(triangle) = primitive else {
             return Err((line, LineError { id, place, fault: Fault::NotTriangle }));
         };
+        if bias.is_some() {
+            let place = "field `bias`".to_owned();
+            return Err((line, LineError { id, place, fault: Fault::BiasOfScene }));
+        }
         triangles.push(SceneLine { line, triangle, shading });
     }
     Ok(triangles)
 }
 
 /// What a line may draw, then what may stand beside it.
-const KEYS: [&str; 11] =
-    ["v", "f", "words", "line", "point", "polygon", "clip", "id", "channels", "q", "w"];
+const KEYS: [&str; 12] =
+    ["v", "f", "words", "line", "point", "polygon", "clip", "id", "channels", "q", "w", "bias"];
 
 /// The keys that draw.
 const DRAWN: usize = 7;
 
-/// What to draw, and what its vertices bring.
-fn asked(members: &[(String, &RawValue)]) -> Part<(Primitive, Option<Shading>)> {
+/// What to draw, what its vertices bring, and the bias of its depth.
+type Asked = (Primitive, Option<Shading>, Option<DepthBias>);
+
+fn asked(members: &[(String, &RawValue)]) -> Part<Asked> {
     let primitive = primitive(members)?;
     let shading = channels::shading(members, primitive.key())?;
-    Ok((primitive, shading))
+    let bias = bias::bias(members, primitive.key())?;
+    Ok((primitive, shading, bias))
 }
 
 fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {

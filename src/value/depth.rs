@@ -1,5 +1,6 @@
 //! The Z/w depth plane: guard, integer and interpolation bits, a start and two slopes.
 
+use super::depth_bias::{DepthBias, DepthBiasError};
 use super::depth_format::{DepthFormat, DepthFormatError};
 use crate::bits::{Place, Rounding, SpanEvents, bounded};
 use crate::cover::SampleGrid;
@@ -45,6 +46,9 @@ pub struct DepthConfig {
     /// What is stored in place of the integer part of Z/w, converted after interpolation.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub format: Option<DepthFormat>,
+    /// What a draw call adds to depth.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bias: Option<DepthBias>,
 }
 
 /// A depth plane that cannot be built.
@@ -59,6 +63,9 @@ pub enum DepthError {
     /// The stored format is malformed.
     #[error(transparent)]
     Format(#[from] DepthFormatError),
+    /// The depth bias is malformed.
+    #[error(transparent)]
+    Bias(DepthBiasError),
     /// The exact numerators outgrow 128-bit arithmetic (clause `P-5`).
     #[error(
         "integer + 2 * vertex difference bits + 4 + interpolation + reciprocal bits = \
@@ -95,6 +102,9 @@ impl DepthConfig {
         let sum = integer + 2 * difference + 4 + interpolation + reciprocal;
         if sum > 126 {
             return Err(DepthError::Growth { integer, difference, interpolation, reciprocal, sum });
+        }
+        if let Some(bias) = self.bias {
+            bias.validate(self, vertex)?;
         }
         Ok(read)
     }
@@ -144,22 +154,50 @@ impl Depth {
         let gradient = Gradient::new(triangle, z);
         let plane =
             Plane::round(&gradient, grid.offset, grid.sub_pixel, interpolation, rounding, division);
-        self.biased(plane)
+        self.biased(plane, z)
     }
 
     /// The rounded plane of a value given by its numerators at pixel (0, 0) and its slopes per
-    /// sub-pixel, over `whole > 0`: for homogeneous set-up, unreduced.
+    /// sub-pixel, over `whole > 0`: for homogeneous set-up, unreduced. No vertex need have a depth, so a bias
+    /// in the steps of a float is refused before.
     pub fn plane_over(&self, numerators: [i128; 3], whole: i128, grid: &SampleGrid) -> Plane {
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
         let plane =
             Plane::over(numerators, whole, grid.sub_pixel, interpolation, rounding, division);
-        self.biased(plane)
+        self.biased(plane, [0; 3])
     }
 
     #[inline]
-    fn biased(&self, plane: Plane) -> Plane {
-        let bias = Unreduced::new(self.start_bias(), self.config.interpolation);
+    fn biased(&self, plane: Plane, z: [i128; 3]) -> Plane {
+        let bias = Unreduced::new(self.gained(&plane, z), self.config.interpolation);
         plane.raised(bias).unwrap_or_else(|error| unreachable!("a plane of this budget: {error}"))
+    }
+
+    /// What the start of a rounded plane gains: start bias and depth bias.
+    #[inline]
+    fn gained(&self, plane: &Plane, z: [i128; 3]) -> i128 {
+        let DepthConfig { bias, rounding, .. } = &self.config;
+        let bias =
+            bias.map_or(0, |bias| bias.of(plane, self.config.resolvable(z), *rounding).raw());
+        self.start_bias() + bias
+    }
+
+    /// What a normalised triangle's depth gains, in accumulator units: the start bias, and the depth bias of
+    /// its plane.
+    pub fn gain(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> i128 {
+        if self.config.bias.is_none() {
+            return self.start_bias();
+        }
+        let DepthConfig { rounding, division, interpolation, .. } = self.config;
+        let (gradient, grid) = (Gradient::new(triangle, z), (grid.offset, grid.sub_pixel));
+        let plane = Plane::round(&gradient, grid.0, grid.1, interpolation, rounding, division);
+        self.gained(&plane, z)
+    }
+
+    /// The same without a depth bias: what evaluates a value that is no depth.
+    #[must_use]
+    pub fn unbiased(&self) -> Self {
+        Self { config: DepthConfig { bias: None, ..self.config }, ..*self }
     }
 
     /// The configuration.
@@ -167,7 +205,7 @@ impl Depth {
         &self.config
     }
 
-    /// What the start gains, in accumulator units.
+    /// What the start gains by `start-bias`, in accumulator units.
     pub fn start_bias(&self) -> i128 {
         self.config.start_gain()
     }

@@ -43,6 +43,12 @@ impl DepthConfig {
     /// What is stored of depth.
     pub const FORMAT: Decision =
         Decision::words("depth-format", Level::Value, "Z-1", || DepthFormat::NAMES.to_vec());
+    /// Units of the depth bias, where the profile has one.
+    pub const BIAS_CONSTANT: Decision =
+        Decision::number("bias-constant", Level::Value, "Z-7", [i64::MIN, i64::MAX]);
+    /// The multiple of the slope in it.
+    pub const BIAS_SLOPE: Decision =
+        Decision::number("bias-slope", Level::Value, "Z-7", [i64::MIN, i64::MAX]);
     /// All of them.
     pub const DECISIONS: &[Decision] = &[
         Self::INTEGER,
@@ -53,6 +59,8 @@ impl DepthConfig {
         Self::RECIPROCAL,
         Self::START_BIAS,
         Self::FORMAT,
+        Self::BIAS_CONSTANT,
+        Self::BIAS_SLOPE,
     ];
 
     /// What a decision of this name is set to; `None` for another owner's.
@@ -71,6 +79,8 @@ impl DepthConfig {
             "depth-format" => {
                 Value::Name(self.format.map_or(DepthFormat::NAMES[0], |format| format.name()))
             }
+            "bias-constant" => Value::Number(self.bias?.constant),
+            "bias-slope" => Value::Number(self.bias?.slope),
             _ => return None,
         })
     }
@@ -90,7 +100,7 @@ impl DepthConfig {
                 self.division = match value {
                     Value::Bits(bits) => Division::Reciprocal { bits: *bits },
                     Value::Name(QUOTIENT) => Division::Quotient,
-                    Value::Name(_) => return Err(Refused::Unfit),
+                    Value::Number(_) | Value::Name(_) => return Err(Refused::Unfit),
                 };
             }
             "start-bias" => self.start_bias = Refused::unless(value.choose(&BIASES, bias_name))?,
@@ -102,6 +112,11 @@ impl DepthConfig {
                 // Z/w in as many bits as the plane has is what is stored anyway.
                 let plain = matches!(format, DepthFormat::ZOverW { .. });
                 self.format = (!plain).then_some(format);
+            }
+            "bias-constant" | "bias-slope" => {
+                let bias = self.bias.as_mut().ok_or(Refused::Absent)?;
+                let term = if name == "bias-slope" { &mut bias.slope } else { &mut bias.constant };
+                *term = Refused::unless(value.number())?;
             }
             _ => return Err(Refused::Absent),
         }

@@ -88,7 +88,7 @@ pub enum DepthFormatError {
 }
 
 /// A number of [0, 1] as a fraction, denominator positive.
-type Part = (i128, i128);
+pub(super) type Part = (i128, i128);
 
 impl DepthFormat {
     /// The names of the formats, as profiles write them.
@@ -187,7 +187,7 @@ impl DepthFormat {
         matches!(self, Self::OneOverW { .. } | Self::InverseZ { .. } | Self::FloatFarZero { .. })
     }
 
-    const fn float(&self) -> Option<(u32, u32)> {
+    pub(super) const fn float(&self) -> Option<(u32, u32)> {
         match self {
             Self::FloatFarZero { exponent, mantissa }
             | Self::FloatNearZero { exponent, mantissa, .. } => Some((*exponent, *mantissa)),
@@ -229,15 +229,19 @@ impl DepthFormat {
             None => divide(numerator * i128::from(self.maximum())),
             Some((exponent, mantissa)) => {
                 let range = 1u32 << exponent;
-                // The largest field e with 2^(e - range) <= v, or 0.
-                let field =
-                    (1..range).rev().find(|e| numerator << (range - e) >= denominator).unwrap_or(0);
+                let field = self.exponent_of((numerator, denominator));
                 let scaled = divide(numerator << (range - field.max(1) + mantissa));
                 let hidden = if field == 0 { 0 } else { 1 << mantissa };
                 (i128::from(field) << mantissa) + scaled - hidden
             }
         };
         u64::try_from(code.max(0)).unwrap_or(u64::MAX).min(self.maximum())
+    }
+
+    /// The exponent field of a quantity of [0, 1] in a float: the largest e with 2^(e - 2^E) <= v, or 0.
+    pub(super) fn exponent_of(&self, (numerator, denominator): Part) -> u32 {
+        let range = self.float().map_or(0, |(exponent, _)| 1u32 << exponent);
+        (1..range).rev().find(|e| numerator << (range - e) >= denominator).unwrap_or(0)
     }
 
     /// The quantity that a code stands for, exactly.

@@ -18,6 +18,7 @@ mod cli;
 mod command;
 mod compare;
 mod coverage;
+mod depth_bias;
 mod dump_form;
 mod explore;
 mod explore_page;

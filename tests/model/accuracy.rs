@@ -62,6 +62,7 @@ fn profile(words: &mut Words) -> Profile {
         clamp: [Clamp::Wrap, Clamp::Guard, Clamp::Sign, Clamp::Saturate][index(words, 4)],
         start_bias: [StartBias::None, StartBias::Half][index(words, 2)],
         format: None,
+        bias: None,
     });
     profile.validate().unwrap();
     profile

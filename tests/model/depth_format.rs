@@ -285,7 +285,8 @@ fn the_bias_is_constant_and_slope() {
     let plane = Plane::new(start, dx, dy).unwrap();
     let of = |constant, slope, clamp| {
         let bias = DepthBias { constant, unit: 2, slope, clamp };
-        bias.of(&plane, Rounding::NearestEven).raw()
+        // r is one ULP: 8 of these units.
+        bias.of(&plane, (8, 1), Rounding::NearestEven).raw()
     };
     assert_eq!(of(4, 0, 0), 8 * 8);
     // One and a half times 5 ULP.

@@ -13,6 +13,7 @@ mod set;
 
 mod accuracy;
 mod channels;
+mod depth_bias;
 mod depth_format;
 mod exact;
 mod exhaustive;

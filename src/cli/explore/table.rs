@@ -175,6 +175,7 @@ pub(crate) fn help() -> Result<Outcome, Failure> {
                 let word = word.map(|word| format!(", or {word}")).unwrap_or_default();
                 format!("bits, {least} to {most}{word}")
             }
+            Takes::Number { .. } => "a whole number with its sign".to_owned(),
             Takes::Words(words) => words().join(", "),
         };
         output.line(format!("  {:<16} {takes}", field.name()))?;

@@ -87,6 +87,7 @@ impl Report {
 fn setting(setting: &Setting) -> String {
     match setting {
         Setting::Bits(bits) => bits.to_string(),
+        Setting::Number(number) => number.to_string(),
         Setting::Name(name) => name.clone(),
     }
 }

@@ -14,6 +14,7 @@ use std::collections::BTreeMap;
 #[serde(untagged)]
 pub(super) enum Setting {
     Bits(u32),
+    Number(i64),
     Name(String),
 }
 
@@ -89,6 +90,7 @@ pub(super) struct Failing {
 pub(super) fn as_map(budget: &[(&'static str, Value)]) -> BTreeMap<String, Setting> {
     let setting = |value: &Value| match value {
         Value::Bits(bits) => Setting::Bits(*bits),
+        Value::Number(number) => Setting::Number(*number),
         Value::Name(name) => Setting::Name((*name).to_owned()),
     };
     budget.iter().map(|(name, value)| ((*name).to_owned(), setting(value))).collect()
@@ -181,7 +183,7 @@ fn lesser(lesser: &Lesser, scenes: &[String]) -> (String, Failing) {
             let failing = Failing {
                 value: match value {
                     Value::Bits(bits) => Some(*bits),
-                    Value::Name(_) => None,
+                    Value::Number(_) | Value::Name(_) => None,
                 },
                 fails: true,
                 finding: finding.clone(),

@@ -46,7 +46,7 @@ impl Field {
                 Value::Name(name) => {
                     Refused::unless(profile.with_machine(name)).map(|changed| *profile = changed)
                 }
-                Value::Bits(_) => Err(Refused::Unfit),
+                Value::Bits(_) | Value::Number(_) => Err(Refused::Unfit),
             },
             Owner::Traversal if !profile.form.visits_the_box() => Err(Refused::Absent),
             Owner::Traversal => TraversalConfig::decide(&mut profile.traversal, name, value),

@@ -19,7 +19,8 @@ pub(super) fn meets(
 ) -> bool {
     let Some(depth) = profile.depth else { return false };
     let guarded = matches!(depth.clamp, Clamp::Guard | Clamp::Error) && depth.guard >= 1;
-    if !guarded || depth.division != Division::Quotient {
+    // What a depth bias moves can leave the range of depth.
+    if !guarded || depth.division != Division::Quotient || depth.bias.is_some() {
         return false;
     }
     let runs = stages.iter().flat_map(|stage| &stage.runs);

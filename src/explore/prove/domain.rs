@@ -82,6 +82,13 @@ pub enum QuestionError {
         /// One past the last.
         high: i64,
     },
+    /// A depth bias, which the bounds leave out.
+    #[error(
+        "[depth.bias]: the bounds are those of planes without a depth bias; leave [depth.bias] out. Edge and \
+         interpolation bits are the same with it, but a biased depth can need more guard bits: \
+         `guardbit fit` measures them"
+    )]
+    Bias,
     /// The profile fails validation.
     #[error(transparent)]
     Profile(#[from] InvalidProfile),
@@ -118,6 +125,9 @@ impl Question {
             set_depth_bits(&mut profile, bits)?;
         }
         profile.validate()?;
+        if profile.depth.is_some_and(|depth| depth.bias.is_some()) {
+            return Err(QuestionError::Bias);
+        }
         let (low, high) = profile.vertex.range();
         let vertices = within.unwrap_or([[low; 2], [high; 2]]);
         let grid = profile.grid().map_err(InvalidProfile::from)?;

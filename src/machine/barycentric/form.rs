@@ -55,7 +55,10 @@ impl BarycentricConfig {
             // Depth from two shares: their planes once a triangle, two products and two sums a fragment.
             // Of a share: gradient by differences, offset to the first sample, three quotients.
             let share = Count::new(2, 0, 0, 0) + Count::new(4, 3, 0, 0) + Count::new(0, 0, 3, 0);
-            operations.triangle = operations.triangle + share.times(2) + Count::new(2, 0, 0, 0);
+            operations.triangle = operations.triangle
+                + share.times(2)
+                + Count::new(2, 0, 0, 0)
+                + Count::depth_bias_alone(depth);
             operations.run = Count::JUMP.times(2);
             let weighed = Count::STEP.times(2) + Count::new(2, 2, 0, 0);
             operations.fragment = weighed + Count::read_out(depth.clamp);

@@ -56,7 +56,7 @@ fn operations(state: &RasterState) -> Operations {
     let mut operations = EdgeWalkConfig::operations();
     if let Some(depth) = &state.depth {
         let edge = Count::new(2, 2, 2, 0);
-        operations.triangle = operations.triangle + edge.times(3);
+        operations.triangle = operations.triangle + edge.times(3) + Count::depth_bias_alone(depth);
         operations.row = operations.row + Count::STEP.times(2);
         // The span's slope, and the part of a pixel to its first sample.
         operations.run = Count::new(2, 0, 1, 0) + Count::new(2, 1, 0, 0);

@@ -8,6 +8,8 @@ use crate::machine::{
     Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
     RasterState, Rasterizer, Site, Step, Steps, Unit, Word, edge_words, plane_bound,
 };
+use crate::setup::VertexConfig;
+use crate::value::{DepthBias, DepthConfig};
 
 /// What is known of the machine.
 pub(crate) const KIND: Kind = Kind {
@@ -47,6 +49,35 @@ impl HomogeneousConfig {
     }
 }
 
+impl HomogeneousConfig {
+    /// Whether a depth bias can be set up for vertices that are not projected. Spec clause `Z-7`.
+    fn check_bias(
+        self,
+        vertex: &VertexConfig,
+        depth: &DepthConfig,
+        bias: DepthBias,
+    ) -> Result<(), String> {
+        if depth.is_float() && bias.constant != 0 {
+            return Err("bias constant counts steps of a float, which depend on the largest z of the triangle, \
+                        but homogeneous vertices need not have a z; use constant = 0, a format of integers, or \
+                        another machine"
+                .to_owned());
+        }
+        let (slope, sub_pixel) = (bias.slope_bits(), vertex.sub_pixel);
+        let (difference, w) = (vertex.difference_bits(), self.w);
+        let DepthConfig { integer, interpolation, .. } = *depth;
+        let sum = slope + integer + difference + 3 * w + 2 + sub_pixel + interpolation;
+        if slope == 0 || sum <= 120 {
+            return Ok(());
+        }
+        Err(format!(
+            "bias slope bits + integer + vertex difference bits + 3 w + 2 + sub-pixel + interpolation = {slope} + \
+             {integer} + {difference} + 3 * {w} + 2 + {sub_pixel} + {interpolation} = {sum} > 120: the slope term \
+             does not fit exact 128-bit arithmetic; use fewer bits in one of these fields"
+        ))
+    }
+}
+
 impl Rasterizer for HomogeneousConfig {
     fn kind(&self) -> &'static Kind {
         &KIND
@@ -54,7 +85,12 @@ impl Rasterizer for HomogeneousConfig {
 
     fn check(&self, state: &RasterState) -> Result<(), FormError> {
         self.validate(&state.vertex, depth(state))
-            .map_err(|error| FormError::own(&KIND, &["w"], error))
+            .map_err(|error| FormError::own(&KIND, &["w"], error))?;
+        let Some((depth, bias)) = state.depth.and_then(|depth| Some((depth, depth.bias?))) else {
+            return Ok(());
+        };
+        self.check_bias(&state.vertex, &depth, bias)
+            .map_err(|message| FormError { field: vec!["depth", "bias"], message })
     }
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {

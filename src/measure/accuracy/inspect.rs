@@ -16,6 +16,8 @@ use crate::profile::{InvalidProfile, Profile};
 pub struct Inspector<'a> {
     stage: &'a Stage,
     model: Model,
+    /// What evaluates the attribute, where depth has a bias.
+    plain: Option<Model>,
 }
 
 /// Which value to look at.
@@ -34,26 +36,32 @@ impl<'a> Inspector<'a> {
     /// [`InvalidProfile`] names the violated inequality.
     pub fn new(stage: &'a Stage, profile: &Profile) -> Result<Self, InvalidProfile> {
         let profile = Profile { multisample: None, ..profile.clone() };
-        Ok(Self { stage, model: Model::new(&profile)? })
+        let biased = profile.depth.is_some_and(|depth| depth.bias.is_some());
+        let plain = biased.then(|| Model::new(&profile.unbiased())).transpose()?;
+        Ok(Self { stage, model: Model::new(&profile)?, plain })
     }
 
     /// Calls `each` with column, row and error of every sample of a face that is covered or should
     /// be; the error of a sample that is both is that of `value`, in ULP.
     pub fn face(&self, face: &Face, value: Value, mut each: impl FnMut(u32, u32, SampleError)) {
+        let model = match value {
+            Value::Depth => &self.model,
+            Value::Attribute => self.plain.as_ref().unwrap_or(&self.model),
+        };
         let mut drawn = Runs::default();
         // A triangle that the profile refuses is missing as a whole.
-        self.model.draw_own(&face.triangle, &mut drawn);
+        model.draw_own(&face.triangle, &mut drawn);
         let surface: Option<&Surface> = match value {
             Value::Depth => face.depth.as_ref(),
             Value::Attribute => face.attribute.as_ref(),
         };
-        let depth = self.model.depth().zip(surface);
-        let planar = self.model.profile().form.walks_a_plane();
+        let depth = model.depth().zip(surface);
+        let planar = model.profile().form.walks_a_plane();
         let walk = depth.filter(|_| planar);
         let walk = walk.map(|(depth, surface)| Walk::new(self.stage, depth, face, surface));
         let own = depth.filter(|_| !planar);
-        let own = own.map(|(_, surface)| (Held::draw(&self.model, face, surface), surface));
-        let ulp = |x, y| match (&walk, &own, self.model.depth()) {
+        let own = own.map(|(_, surface)| (Held::draw(self.stage, model, face, surface), surface));
+        let ulp = |x, y| match (&walk, &own, model.depth()) {
             (Some(walk), ..) => walk.held_ulp(self.stage, x, y),
             (_, Some((held, surface)), Some(depth)) => {
                 held.ulp(self.stage, depth, surface, x, y).unwrap_or(0.0)

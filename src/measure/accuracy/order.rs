@@ -141,8 +141,8 @@ pub(super) fn before_snapping(
 /// decided. `worst` bounds its error at every sample in ULP; infinity where there is no bound.
 pub(super) fn broken(stage: &Stage, depth: &Depth, worst: f64) -> (u64, u64, Reach) {
     // Codes are floors: equal ones are less than 1 apart, each off by `worst` at most. Those of a
-    // format of its own may be any distance apart.
-    let reach = if depth.config().format.is_some() { f64::INFINITY } else { 1.0 + 2.0 * worst };
+    // format of its own may be any distance apart, and so may those that a depth bias moves.
+    let reach = if depth.config().moves_codes() { f64::INFINITY } else { 1.0 + 2.0 * worst };
     let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
     let (mut inversions, mut ties, mut reach) = (0, 0, Reach::default());
     for (_, order, accumulators) in pairs_in_order(stage, depth, pairs) {

@@ -21,6 +21,8 @@ pub(super) struct Held {
     runs: Vec<(Span, usize)>,
     accumulators: Vec<i128>,
     events: SpanEvents,
+    /// What its depth gains, which is no error.
+    gain: i128,
 }
 
 impl Sink for Held {
@@ -47,12 +49,15 @@ impl Sink for Held {
 
 impl Held {
     /// Draws a face with the codes of `surface` as its depth.
-    pub(super) fn draw(model: &Model, face: &Face, surface: &Surface) -> Self {
+    pub(super) fn draw(stage: &Stage, model: &Model, face: &Face, surface: &Surface) -> Self {
         let mut held = Self::default();
         let triangle = face.triangle.with_depth(surface.vertex);
         let triangle = triangle.unwrap_or_else(|error| unreachable!("codes of the stage: {error}"));
         // A triangle that is refused has no values.
         model.draw_own(&triangle, &mut held);
+        held.gain = model
+            .depth()
+            .map_or(0, |depth| depth.gain(&face.triangle, surface.vertex, &stage.grid));
         held
     }
 
@@ -74,7 +79,7 @@ impl Held {
         y: u32,
     ) -> Option<f64> {
         let (fraction, exact) = (depth.read_out().fraction(), &surface.exact);
-        let held = self.at(x, y)? - depth.start_bias();
+        let held = self.at(x, y)? - self.gain;
         let at = stage.grid.position(x.into(), y.into());
         let above = held * exact.whole - (exact.at(at) << fraction);
         Some(real(above) / (real(exact.whole) * real(1 << fraction)))
@@ -86,12 +91,14 @@ pub(super) fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile, depth: &D
     let none = Reach::default();
     let mut tally = drawn.tally;
     let mut values = Values::default();
-    if let Ok(model) = Model::new(profile) {
+    let models =
+        Model::new(profile).and_then(|model| Ok((model, Model::new(&profile.unbiased())?)));
+    if let Ok((model, plain)) = models {
         for (n, face) in stage.faces.iter().enumerate() {
             let runs = drawn.runs(stage, n);
-            let note = |surface: &Option<Surface>, world: &World, into: &mut ValueTally| {
+            let note = |model, surface: &Option<Surface>, world: &World, into: &mut ValueTally| {
                 let surface = surface.as_ref()?;
-                let held = Held::draw(&model, face, surface);
+                let held = Held::draw(stage, model, face, surface);
                 for (y, x) in runs.iter().flat_map(|run| (run.x0..run.x1).map(|x| (run.y, x))) {
                     if let Some(ulp) = held.ulp(stage, depth, surface, x, y) {
                         into.note(world, ulp, surface.code.at(x, y) / stage.world.top);
@@ -100,9 +107,10 @@ pub(super) fn measure(stage: &Stage, drawn: &Drawn, profile: &Profile, depth: &D
                 into.settle(world);
                 Some(held)
             };
-            let attribute = note(&face.attribute, &stage.world.flat(), &mut values.attribute);
+            let attribute =
+                note(&plain, &face.attribute, &stage.world.flat(), &mut values.attribute);
             values.attribute_extent.widen(extent(attribute.as_ref()));
-            let held = note(&face.depth, &stage.world, &mut values.depth);
+            let held = note(&model, &face.depth, &stage.world, &mut values.depth);
             values.depth_extent.widen(extent(held.as_ref()));
             let events = held.map(|held| held.events).unwrap_or_default();
             values.wraps += events.count(Event::Wrap);
@@ -126,7 +134,7 @@ fn extent(held: Option<&Held>) -> Reach {
 /// Pairs of neighbours in depth that the machine exchanges, and pairs that it makes equal, among
 /// those that it draws at all.
 fn broken(stage: &Stage, model: &Model, depth: &Depth, worst: f64) -> (u64, u64) {
-    let reach = if depth.config().format.is_some() { f64::INFINITY } else { 1.0 + 2.0 * worst };
+    let reach = if depth.config().moves_codes() { f64::INFINITY } else { 1.0 + 2.0 * worst };
     let pairs = &stage.pairs[..stage.pairs.partition_point(|pair| pair.gap <= reach)];
     let mut drawn: Vec<Option<Held>> = stage.faces.iter().map(|_| None).collect();
     let (mut inversions, mut ties) = (0, 0);
@@ -135,7 +143,7 @@ fn broken(stage: &Stage, model: &Model, depth: &Depth, worst: f64) -> (u64, u64)
             let index = index as usize;
             let face = &stage.faces[index];
             let surface = face.depth.as_ref()?;
-            let held = drawn[index].get_or_insert_with(|| Held::draw(model, face, surface));
+            let held = drawn[index].get_or_insert_with(|| Held::draw(stage, model, face, surface));
             Some(depth.code(held.at(pair.x, pair.y)?))
         };
         let order = code(pair.near).zip(code(pair.far)).map(|(near, far)| near.cmp(&far));

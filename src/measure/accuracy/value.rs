@@ -56,6 +56,8 @@ impl Reach {
 pub(super) struct Walk<'a> {
     depth: &'a Depth,
     plane: Plane,
+    /// What its start gained, which is no error.
+    gain: i128,
     surface: &'a Surface,
     /// The error at the surface's base pixel and its changes, over `whole`.
     error: [i128; 3],
@@ -130,7 +132,8 @@ impl Values {
 /// Measures the values of a face over runs of samples.
 pub fn face_values(stage: &Stage, depth: &Depth, face: &Face, runs: &[Span], values: &mut Values) {
     if let Some(attribute) = &face.attribute {
-        let (walk, world) = (Walk::new(stage, depth, face, attribute), stage.world.flat());
+        let depth = depth.unbiased();
+        let (walk, world) = (Walk::new(stage, &depth, face, attribute), stage.world.flat());
         for run in runs {
             let plain = walk.reach(run, &mut values.attribute_extent);
             walk.errors(stage, &world, run, plain, &mut values.attribute);
@@ -155,17 +158,18 @@ impl<'a> Walk<'a> {
     pub(super) fn new(stage: &Stage, depth: &'a Depth, face: &Face, surface: &'a Surface) -> Self {
         let plane = depth.plane(&face.triangle, surface.vertex, &stage.grid);
         let (fraction, exact) = (depth.read_out().fraction(), &surface.exact);
+        let gain = depth.gain(&face.triangle, surface.vertex, &stage.grid);
         let per_pixel = fraction + stage.grid.sub_pixel;
         let ([x, y], [_, dx, dy]) = (surface.code.base().map(i128::from), plane.raw());
         let error = [
-            (plane.at(x, y).raw() - depth.start_bias()) * exact.whole
+            (plane.at(x, y).raw() - gain) * exact.whole
                 - (exact.at(stage.grid.position(x, y)) << fraction),
             dx * exact.whole - (exact.slope[0] << per_pixel),
             dy * exact.whole - (exact.slope[1] << per_pixel),
         ];
         let narrow = Narrow::new(error, [plane.at(x, y).raw(), dx, dy], depth.read_out());
         let whole = real(exact.whole) * real(1 << fraction);
-        Self { depth, plane, surface, error, narrow, whole }
+        Self { depth, plane, gain, surface, error, narrow, whole }
     }
 
     /// Steps from the base pixel.
@@ -248,7 +252,7 @@ impl<'a> Walk<'a> {
     /// The error at a pixel as read: wrapped, clamped or held.
     pub(super) fn held_ulp(&self, stage: &Stage, x: u32, y: u32) -> f64 {
         let (fraction, exact) = (self.depth.read_out().fraction(), &self.surface.exact);
-        let held = self.depth.held(&self.plane, x, y) - self.depth.start_bias();
+        let held = self.depth.held(&self.plane, x, y) - self.gain;
         let at = stage.grid.position(x.into(), y.into());
         real(held * exact.whole - (exact.at(at) << fraction)) / self.whole
     }

@@ -75,6 +75,7 @@ fn walked(profile: &Profile, words: &Words, adder: fn(u32) -> Adder) -> f64 {
         clamp,
         start_bias: StartBias::None,
         format: None,
+        bias: None,
     };
     let area = |depth: Option<DepthConfig>| {
         let state = RasterState { depth, ..profile.state() };

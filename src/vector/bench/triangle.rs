@@ -105,7 +105,9 @@ impl TriangleBench {
         let profile = self.model.profile();
         let plain = |depth: &&Depth| {
             let config = depth.config();
-            config.division == Division::Quotient && config.start_bias == StartBias::None
+            config.division == Division::Quotient
+                && config.start_bias == StartBias::None
+                && config.bias.is_none()
         };
         let Some(depth) = self.model.depth().filter(plain) else { return Vec::new() };
         if word_engine(&self.model).is_some()

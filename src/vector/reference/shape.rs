@@ -139,6 +139,7 @@ impl Shape {
 fn check(depth: &DepthConfig) -> Result<(), String> {
     let reason = match (depth.division, depth.clamp) {
         _ if depth.format.is_some() => "depth is stored in another format, as [depth.format] asks",
+        _ if depth.bias.is_some() => "[depth.bias] is given: the set-up adds no depth bias",
         (Division::Quotient, Clamp::Saturate) => {
             "clamp is saturate: what a sticky accumulator holds depends on the order of the samples"
         }

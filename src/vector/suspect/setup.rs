@@ -108,9 +108,12 @@ impl Device<SetupTest> for Unturned {
     }
 }
 
-/// Whether a plain unit does what the profile says: edge functions, a depth plane, an exact quotient.
+/// Whether a plain unit does what the profile says: edge functions, a depth plane, an exact quotient, no depth bias.
 fn is_plain(model: &Model) -> bool {
-    let exact = |depth: &crate::value::Depth| depth.config().division == Division::Quotient;
+    let exact = |depth: &crate::value::Depth| {
+        let config = depth.config();
+        config.division == Division::Quotient && config.bias.is_none()
+    };
     model.profile().plain_edges().is_some() && model.depth().is_some_and(exact)
 }
 

@@ -89,6 +89,11 @@ fn setup(profile: &Profile) -> Result<SetupParameters, String> {
             "division is not quotient: triangle_setup divides exactly, not by a reciprocal";
         return Err(reason.to_owned());
     }
+    if depth.bias.is_some() {
+        let reason =
+            "[depth.bias] is given: triangle_setup adds no depth bias to the start of its plane";
+        return Err(reason.to_owned());
+    }
     let grid = profile.grid().map_err(|error| error.to_string())?;
     let vertex = &profile.vertex;
     Ok(SetupParameters {

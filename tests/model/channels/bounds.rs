@@ -22,6 +22,7 @@ fn stated(profile: &Profile, triangle: &Triangle, values: [i128; 3], bits: [u32;
         clamp: Clamp::Guard,
         start_bias: StartBias::None,
         format: None,
+        bias: None,
     });
     let model = Model::new(&Profile { channel: Vec::new(), w: None, ..profile.clone() }).unwrap();
     let exact = PlaneNumerator::new(triangle.xy, values).unwrap();

@@ -82,6 +82,7 @@ proptest! {
         profile.depth = Some(DepthConfig {
             guard: 2, integer: 24, interpolation, rounding, division, clamp, start_bias,
             format: None,
+            bias: None,
         });
         let triangle = Triangle { xy, z: Some(z) };
         let [a, b, c] = xy;
@@ -135,6 +136,7 @@ proptest! {
         profile.depth = Some(DepthConfig {
             guard, integer: 5, interpolation, rounding, division, clamp, start_bias: StartBias::None,
             format: None,
+            bias: None,
         });
         let model = Model::new(&profile).unwrap();
         let mut drawing = Drawing::default();
