@@ -79,7 +79,8 @@ impl Identifier {
     pub fn new(hypotheses: &Hypotheses, captures: Vec<Capture>, wrong: u8) -> Self {
         let (roots, depths) = (hypotheses.roots(), hypotheses.depths());
         let variants = |root: &Root| root.words.len().max(1);
-        let machines = roots.iter().map(|root| variants(root) as u64).sum();
+        let inside = roots.iter().filter(|root| root.inside);
+        let machines = inside.map(|root| variants(root) as u64).sum();
         let left = roots.into_iter().map(|root| Left {
             fails: vec![0; variants(&root) * captures.len()],
             depth_fails: Vec::new(),
@@ -98,7 +99,12 @@ impl Identifier {
     /// Machines with their edge words, times captures, that are left; words of depth come on top.
     pub fn left(&self) -> u64 {
         let alive = |left: &Left| left.fails.iter().filter(|fails| **fails <= self.wrong).count();
-        self.left.iter().map(|left| alive(left) as u64).sum()
+        self.inside().map(|left| alive(left) as u64).sum()
+    }
+
+    /// What is left of the hypotheses.
+    fn inside(&self) -> impl Iterator<Item = &Left> {
+        self.left.iter().filter(|left| left.root.inside)
     }
 
     /// Words of depth that are left, over all machines that are.
@@ -142,7 +148,7 @@ impl Identifier {
     /// What is left, one by one, at most so many.
     pub fn found(&self, most: usize) -> Vec<Found> {
         let mut found = Vec::new();
-        for left in &self.left {
+        for left in self.inside() {
             for (variant, capture) in left.alive(self.captures.len(), self.wrong) {
                 for depth in left.depths(&self.depths, self.wrong) {
                     if found.len() == most {
@@ -170,7 +176,7 @@ impl Identifier {
             Some(decided) => decided.values.push(value),
             None => decided.push(Decided { name: name.to_owned(), values: vec![value] }),
         };
-        for left in &self.left {
+        for left in self.inside() {
             for (name, value) in &left.root.fields {
                 note(name, value.clone());
             }
@@ -204,7 +210,7 @@ impl Identifier {
     /// The cases that the first rasterizer left does not agree with, by their place: those that are wrong, if it
     /// is the machine.
     pub fn disagreeing(&self, cases: &[Case]) -> Vec<usize> {
-        let Some(first) = self.left.first() else { return Vec::new() };
+        let Some(first) = self.inside().next() else { return Vec::new() };
         let Some((variant, capture)) = first.alive(self.captures.len(), self.wrong).next() else {
             return Vec::new();
         };

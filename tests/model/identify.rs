@@ -97,7 +97,14 @@ fn found_among_many(count: u64, seed: u64) {
                 [0, 1].map(|_| (words.draw() >> 40) as f64 / f64::from(1 << 24) * wide)
             };
             let vertices = [at(), at(), at()];
-            let probe = Probe { vertices, depth: None, answers: 0, tried: 0, expected: 0.0 };
+            let probe = Probe {
+                vertices,
+                depth: None,
+                answers: 0,
+                tried: 0,
+                expected: 0.0,
+                pixels: Vec::new(),
+            };
             let want = answer(&model, &probe);
             let Answer::Picture { covered: want, .. } = &want else { unreachable!() };
             for found in left.iter().step_by((left.len() / 8).max(1)) {
@@ -156,8 +163,8 @@ fn depths_found(count: u64, most: usize, seed: u64) -> u64 {
             let Next::Draw(probe) = identifier.next(seed + 1000 * n + probes) else { break };
             let mut case = case(&model, &probe, 0);
             let Answer::Picture { depth, .. } = &mut case.answer else { unreachable!() };
-            // A few samples of each triangle are read.
-            *depth = std::mem::take(depth).into_iter().take(12.min(most - samples)).collect();
+            // The pixels that tell most are read, and of a triangle that tells about coverage, none.
+            depth.retain(|at, _| probe.pixels.iter().take(most - samples).any(|pixel| pixel == at));
             samples += depth.len();
             probes += 1;
             identifier.observe(&case);
@@ -172,7 +179,8 @@ fn depths_found(count: u64, most: usize, seed: u64) -> u64 {
             let mut real = |end: f64| (words.draw() >> 12) as f64 / (1u64 << 52) as f64 * end;
             let vertices = [0; 3].map(|_| [real(64.0), real(64.0)]);
             let depth = Some([0; 3].map(|_| real(16_777_215.0)));
-            let probe = Probe { vertices, depth, answers: 0, tried: 0, expected: 0.0 };
+            let probe =
+                Probe { vertices, depth, answers: 0, tried: 0, expected: 0.0, pixels: Vec::new() };
             let Answer::Picture { depth: want, .. } = answer(&model, &probe) else {
                 unreachable!()
             };

@@ -21,7 +21,7 @@ impl Identifier {
             for place in order {
                 identifier.observe(&cases[*place]);
                 taken.push(*place);
-                if identifier.left.is_empty() {
+                if identifier.left() == 0 {
                     return Some(taken);
                 }
             }

@@ -27,6 +27,9 @@ const RECIPROCALS: std::ops::RangeInclusive<u32> = 8..=24;
 pub(super) struct Root {
     /// The decisions, in words.
     pub(super) fields: Vec<(String, String)>,
+    /// Whether it is one of the hypotheses. Others are told apart from them, so that a machine beside the
+    /// space is not taken for one in it.
+    pub(super) inside: bool,
     /// The machine without depth, with edge words that hold every value.
     pub(super) model: Model,
     /// The edge words that it may have; none where it has no such words.
@@ -90,7 +93,8 @@ impl Hypotheses {
             ..self.base.clone()
         };
         if let Some(changes) = self.changes {
-            return near(&base, changes).into_iter().filter_map(root).collect();
+            let near = near(&base, changes).into_iter();
+            return near.filter_map(root).collect();
         }
         let mut profiles = vec![(Vec::new(), base)];
         // The machine is chosen first: which other fields there are depends on it.
@@ -103,7 +107,9 @@ impl Hypotheses {
                     .then(|| (axis.field.name().to_owned(), value.to_string()))
             });
         }
-        let sub_pixels = self.numbers("sub-pixel", 0..=MOST_SUB_PIXEL);
+        let asked = self.numbers("sub-pixel", 0..=MOST_SUB_PIXEL);
+        let mut sub_pixels: Vec<u32> = (0..=MOST_SUB_PIXEL).collect();
+        sub_pixels.extend(asked.iter().filter(|bits| **bits > MOST_SUB_PIXEL));
         profiles = product(profiles, &sub_pixels, |bits, profile| {
             // The sample is placed below.
             profile.sample = None;
@@ -111,7 +117,7 @@ impl Hypotheses {
             profile.vertex.lattice = None;
             Some(("sub-pixel".to_owned(), bits.to_string()))
         });
-        profiles = product(profiles, &self.roundings("snap"), |snap, profile| {
+        profiles = product(profiles, &Rounding::ALL, |snap, profile| {
             profile.vertex.snap = *snap;
             Some(("snap".to_owned(), snap.to_string()))
         });
@@ -143,7 +149,13 @@ impl Hypotheses {
                 Some(("rule".to_owned(), name.to_owned()))
             });
         }
-        profiles.into_iter().filter_map(root).collect()
+        let snaps = self.roundings("snap");
+        let mut roots: Vec<Root> = profiles.into_iter().filter_map(root).collect();
+        for root in &mut roots {
+            let vertex = root.model.profile().vertex;
+            root.inside = asked.contains(&vertex.sub_pixel) && snaps.contains(&vertex.snap);
+        }
+        roots
     }
 
     /// The sample positions that are tried, in parts of a pixel; that of a base profile that places its sample
@@ -252,7 +264,7 @@ fn root((fields, mut profile): Described) -> Option<Root> {
         *profile.form.edge_mut()? = *words.last()?;
     }
     let model = Model::new(&profile).ok()?;
-    Some(Root { fields, model, words })
+    Some(Root { fields, inside: true, model, words })
 }
 
 /// A part of a pixel, as people write it.

@@ -145,8 +145,8 @@ mod tests {
             edge.width = 6 + u32::try_from(words.draw() % 18).unwrap();
             let config = *edge;
             let model = Model::new(&profile).unwrap();
-            let end = 44i128 << profile.vertex.sub_pixel;
-            let xy = [0, 1, 2].map(|_| [0, 1].map(|_| words.between(0, end)));
+            let end = 44i64 << profile.vertex.sub_pixel;
+            let xy = [0, 1, 2].map(|_| [0, 1].map(|_| i128::from(words.between(0, end))));
             let triangle = model.snap(&scene::Triangle::Lattice { xy, z: None }).unwrap();
             let mut drawn = Picture::empty((40, 24));
             model.draw(&triangle, &mut drawn).unwrap();

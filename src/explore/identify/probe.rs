@@ -13,7 +13,10 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 const SAMPLE: usize = 256;
 /// Candidates a round, and rounds before it is said that nothing splits what is left.
 const CANDIDATES: u64 = 48;
-const ROUNDS: u64 = 6;
+const ROUNDS: u64 = 4;
+/// Pixels whose depth is looked at in a candidate, and those that are named.
+const TELLING: usize = 48;
+const PIXELS: usize = 8;
 /// The stream of candidates among those of the case room.
 const CLASS: u64 = 0x1d;
 
@@ -30,6 +33,8 @@ pub struct Probe {
     pub tried: usize,
     /// How many of the tried ones are left on average after the answer.
     pub expected: f64,
+    /// The pixels whose depth tells most, best first, of the picture of the first rasterizer left.
+    pub pixels: Vec<(u32, u32)>,
 }
 
 /// What to do next.
@@ -63,16 +68,17 @@ impl Probe {
     }
 }
 
-/// One of the rasterizers that a candidate is tried on.
+/// The rasterizers that candidates are tried on.
 struct Tried<'a> {
-    left: &'a Left,
-    variant: usize,
-    depth: Option<DepthConfig>,
+    /// Machines with their edge words.
+    machines: Vec<(&'a Left, usize)>,
+    /// Words of depth; none as long as many machines are left.
+    depths: Vec<(&'a Left, DepthConfig)>,
 }
 
 impl Identifier {
-    /// The triangle whose answer leaves least, of candidates in the window that `seed` draws. Which capture a
-    /// picture went through is found on the way.
+    /// The triangle whose answer leaves least, of candidates in the window that `seed` draws. Machines outside
+    /// the space are told apart, too: an answer of theirs leaves nothing.
     pub fn next(&self, seed: u64) -> Next {
         let tried = self.sample();
         let Some(model) = self.left.first().map(|left| &left.root.model) else {
@@ -80,22 +86,18 @@ impl Identifier {
         };
         let window = model.profile().window;
         let size = (window.width, window.height);
+        // Where few are left, a candidate is tried quickly, and one that tells them apart is rarer.
+        let few = SAMPLE / (tried.machines.len() + tried.depths.len()).max(1);
+        let candidates = CANDIDATES * (few as u64).clamp(1, 16);
         let mut number = 0;
         for round in 0..ROUNDS {
             let mut best: Option<Probe> = None;
-            for _ in 0..CANDIDATES {
+            for _ in 0..candidates {
                 let mut words = Words::new(seed, CLASS, number);
                 number += 1;
-                let place = words.word(60) as usize % tried.len();
-                let mut probe = self.candidate(&mut words, &tried[place], size, round);
-                let classes = split(&tried, &probe, size);
-                probe.answers = classes.len();
-                probe.tried = tried.len();
-                #[allow(clippy::cast_precision_loss, reason = "a few hundred")]
-                let expected = classes.iter().map(|n| (n * n) as f64).sum::<f64>();
-                #[allow(clippy::cast_precision_loss, reason = "a few hundred")]
-                let all = tried.len() as f64;
-                probe.expected = expected / all;
+                let place = words.word(60) as usize % tried.machines.len();
+                let mut probe = self.candidate(&mut words, tried.machines[place].0, size, round);
+                tried.split(&mut probe, size);
                 let better = best.as_ref().is_none_or(|best| probe.expected < best.expected);
                 if probe.answers > 1 && better {
                     best = Some(probe);
@@ -109,24 +111,21 @@ impl Identifier {
     }
 
     /// An even sample of what is left.
-    fn sample(&self) -> Vec<Tried<'_>> {
-        let mut all = Vec::new();
+    fn sample(&self) -> Tried<'_> {
+        let mut machines = Vec::new();
+        let mut depths = Vec::new();
         for left in &self.left {
             let mut variants: Vec<usize> =
                 left.alive(self.captures.len(), self.wrong).map(|(variant, _)| variant).collect();
             variants.dedup();
-            let depths = left.depths(&self.depths, self.wrong);
+            machines.extend(variants.into_iter().map(|variant| (left, variant)));
             // Depth waits until few machines are left.
-            let depths = if self.left.len() > 8 { &depths[..1] } else { &depths[..] };
-            for depth in depths {
-                all.extend(variants.iter().map(|variant| (left, *variant, *depth)));
+            if self.left.len() <= 4 {
+                let own = left.depths(&self.depths, self.wrong).into_iter().flatten();
+                depths.extend(own.map(|depth| (left, depth)));
             }
         }
-        let step = (all.len() / SAMPLE).max(1);
-        // A step that shares no factor with the order of the variants goes through all of them.
-        let step = if step > 1 { step | 1 } else { 1 };
-        let chosen = all.into_iter().step_by(step);
-        chosen.map(|(left, variant, depth)| Tried { left, variant, depth }).collect()
+        Tried { machines: evenly(machines), depths: evenly(depths) }
     }
 
     /// A triangle of some size, whose vertices and edges lie where decisions show: on ties of the grid of a
@@ -134,11 +133,11 @@ impl Identifier {
     fn candidate(
         &self,
         words: &mut Words,
-        of: &Tried<'_>,
+        of: &Left,
         (width, height): (u32, u32),
         round: u64,
     ) -> Probe {
-        let profile = of.left.root.model.profile();
+        let profile = of.root.model.profile();
         let bits = profile.vertex.sub_pixel;
         let unit = f64::from(2u32).powi(-i32::try_from(bits).unwrap_or(0));
         let [sx, sy] = profile
@@ -169,10 +168,12 @@ impl Identifier {
             [moved[0].clamp(0.0, f64::from(width)), moved[1].clamp(0.0, f64::from(height))]
         });
         let depth = self.depths.first().map(|depth| {
-            let top = f64::from(2u32).powi(i32::try_from(depth.integer.min(52)).unwrap_or(0)) - 1.0;
+            // Steep planes tell slopes apart, flat ones what is added at the start.
+            let bits = 1 + words.draw() % u64::from(depth.integer.min(52));
+            let top = f64::from(2u32).powi(i32::try_from(bits).unwrap_or(1)) - 1.0;
             [0, 1, 2].map(|_| real(words, top).floor())
         });
-        Probe { vertices, depth, answers: 0, tried: 0, expected: 0.0 }
+        Probe { vertices, depth, answers: 0, tried: 0, expected: 0.0, pixels: Vec::new() }
     }
 }
 
@@ -183,57 +184,124 @@ fn real(words: &mut Words, end: f64) -> f64 {
     part * end.max(0.0)
 }
 
-/// Sizes of the classes that a probe's answers make of rasterizers.
-fn split(tried: &[Tried<'_>], probe: &Probe, size: (u32, u32)) -> Vec<usize> {
-    let primitive = probe.primitive();
-    let mut classes = BTreeMap::<u64, usize>::new();
-    // Variants of one root stand together, and most draw what its widest words draw.
-    let mut known: Option<(*const Left, u64, Option<Boxed>)> = None;
-    let mut picture = Picture::empty(size);
-    // Depth is compared at the pixels that the first one covers.
-    let mut deeper: Option<(*const Left, Option<Deep<'_>>, BTreeMap<(u32, u32), ()>)> = None;
-    for Tried { left, variant, depth } in tried {
-        let own = std::ptr::from_ref(*left);
-        let root = &left.root;
-        let (widest, boxed) = match known {
-            Some((of, hash, boxed)) if of == own => (hash, boxed),
-            _ => {
-                let hash = drawn(&root.model, &primitive, &mut picture);
-                let triangle = flat(&primitive).and_then(|flat| root.model.snap(&flat).ok());
-                let boxed = triangle.and_then(|triangle| Boxed::new(&root.model, &triangle));
-                known = Some((own, hash, boxed));
-                (hash, boxed)
-            }
-        };
-        let words = root.words.get(*variant);
-        let covers = match (words, boxed) {
-            (None, _) => widest,
-            (Some(words), Some(boxed)) if boxed.needed(&root.model, words) <= words.width => widest,
-            (Some(words), boxed) => match boxed.and_then(|b| b.words(&root.model, words)) {
-                Some(narrow) => {
-                    picture.clear();
-                    narrow.paint(&mut picture);
-                    hashed(true, &picture)
+/// An even sample of a list.
+fn evenly<T>(all: Vec<T>) -> Vec<T> {
+    // A step that shares no factor with the order of the variants goes through all of them.
+    let step = if all.len() > SAMPLE { (all.len() / SAMPLE) | 1 } else { 1 };
+    all.into_iter().step_by(step).collect()
+}
+
+/// How many of some things are left on average when one of their classes is.
+fn expected(classes: impl Iterator<Item = usize>, all: usize) -> f64 {
+    #[allow(clippy::cast_precision_loss, reason = "a few hundred")]
+    let [sum, all] = [classes.map(|n| n * n).sum::<usize>() as f64, all.max(1) as f64];
+    sum / all
+}
+
+impl Tried<'_> {
+    /// Says what a probe's answers tell apart.
+    fn split(&self, probe: &mut Probe, size: (u32, u32)) {
+        let primitive = probe.primitive();
+        let mut classes = BTreeMap::<u64, usize>::new();
+        // Variants of one root stand together, and most draw what its widest words draw.
+        let mut known: Option<(*const Left, u64, Option<Boxed>)> = None;
+        let mut picture = Picture::empty(size);
+        for (left, variant) in &self.machines {
+            let own = std::ptr::from_ref(*left);
+            let root = &left.root;
+            let (widest, boxed) = match known {
+                Some((of, hash, boxed)) if of == own => (hash, boxed),
+                _ => {
+                    let hash = drawn(&root.model, &primitive, &mut picture);
+                    let triangle = flat(&primitive).and_then(|flat| root.model.snap(&flat).ok());
+                    let boxed = triangle.and_then(|triangle| Boxed::new(&root.model, &triangle));
+                    known = Some((own, hash, boxed));
+                    (hash, boxed)
                 }
-                None => Model::new(&root.profile(Some(*words), None))
-                    .map_or(0, |model| drawn(&model, &primitive, &mut picture)),
-            },
-        };
-        let deep = depth.and_then(|depth| {
-            let (of, deep, pixels) = deeper.get_or_insert_with(|| {
-                (own, Deep::new(root, &primitive, &[depth]), picture.pixels())
-            });
-            if *of != own {
-                (*of, *deep) = (own, Deep::new(root, &primitive, &[depth]));
-            }
-            let codes = deep.as_ref()?.codes(depth, pixels)?;
-            let mut hasher = DefaultHasher::new();
-            codes.for_each(|code| code.hash(&mut hasher));
-            Some(hasher.finish())
-        });
-        *classes.entry(covers ^ deep.unwrap_or(0).rotate_left(1)).or_default() += 1;
+            };
+            let words = root.words.get(*variant);
+            let fits = |boxed: &Boxed, words| boxed.needed(&root.model, words) <= words.width;
+            let covers = match (words, boxed) {
+                (None, _) => widest,
+                (Some(words), Some(boxed)) if fits(&boxed, words) => widest,
+                (Some(words), boxed) => match boxed.and_then(|b| b.words(&root.model, words)) {
+                    Some(narrow) => {
+                        picture.clear();
+                        narrow.paint(&mut picture);
+                        hashed(true, &picture)
+                    }
+                    None => Model::new(&root.profile(Some(*words), None))
+                        .map_or(0, |model| drawn(&model, &primitive, &mut picture)),
+                },
+            };
+            *classes.entry(covers).or_default() += 1;
+        }
+        let left = expected(classes.values().copied(), self.machines.len());
+        (probe.answers, probe.tried) = (classes.len(), self.machines.len());
+        probe.expected = left;
+        if self.depths.len() > 1 {
+            let (answers, left) = self.split_depth(probe, size);
+            #[allow(clippy::cast_precision_loss, reason = "a few hundred")]
+            let part = left / self.depths.len() as f64;
+            probe.answers = probe.answers.max(1) * answers;
+            probe.tried *= self.depths.len();
+            probe.expected *= part;
+        }
     }
-    classes.into_values().collect()
+
+    /// The same of depth, at the pixels that tell most: how many answers, and how many words are left.
+    fn split_depth(&self, probe: &mut Probe, size: (u32, u32)) -> (usize, f64) {
+        let primitive = probe.primitive();
+        let mut picture = Picture::empty(size);
+        let Some((first, _)) = self.depths.first() else { return (1, 1.0) };
+        let _ = drawn(&first.root.model, &primitive, &mut picture);
+        let pixels = picture.pixels();
+        let mut deep: Option<(*const Left, Option<Deep<'_>>)> = None;
+        let answers: Vec<Vec<u64>> = self
+            .depths
+            .iter()
+            .map(|(left, depth)| {
+                let own = std::ptr::from_ref(*left);
+                let of = match &mut deep {
+                    Some((of, deep)) if *of == own => deep,
+                    deep => &mut deep.insert((own, Deep::new(&left.root, &primitive, &[*depth]))).1,
+                };
+                let codes = of.as_ref().and_then(|deep| deep.codes(*depth, &pixels));
+                codes.map_or_else(Vec::new, Iterator::collect)
+            })
+            .collect();
+        let at = |answer: &Vec<u64>, n: usize| answer.get(n).copied();
+        let mut telling: Vec<usize> = (0..pixels.len())
+            .filter(|n| answers.iter().any(|answer| at(answer, *n) != at(&answers[0], *n)))
+            .collect();
+        let step = telling.len().div_ceil(TELLING).max(1);
+        telling = telling.into_iter().step_by(step).collect();
+        let places: Vec<(u32, u32)> = pixels.keys().copied().collect();
+        // One pixel after another, each the one that makes most of those before.
+        let mut class = vec![0usize; answers.len()];
+        let mut count = 1;
+        while probe.pixels.len() < PIXELS {
+            let parted = |n: usize| {
+                let mut numbers = BTreeMap::new();
+                let parted = answers.iter().zip(&class).map(|(answer, class)| {
+                    let next = numbers.len();
+                    *numbers.entry((*class, at(answer, n))).or_insert(next)
+                });
+                let parted: Vec<usize> = parted.collect();
+                (numbers.len(), parted)
+            };
+            let best =
+                telling.iter().map(|n| (parted(*n), *n)).max_by_key(|((count, _), _)| *count);
+            let Some(((more, parted), n)) = best.filter(|((more, _), _)| *more > count) else {
+                break;
+            };
+            (count, class) = (more, parted);
+            probe.pixels.push(places[n]);
+        }
+        let mut sizes = vec![0usize; count];
+        class.iter().for_each(|class| sizes[*class] += 1);
+        (count, expected(sizes.into_iter(), answers.len()))
+    }
 }
 
 /// A hash of what a model covers.

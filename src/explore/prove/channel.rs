@@ -117,6 +117,7 @@ fn as_depth(question: &Question, channel: &AttributeConfig) -> Option<Question> 
         clamp: channel.clamp,
         start_bias: channel.start_bias,
         format: None,
+        bias: None,
     };
     let mut question = question.without_channels();
     let profile = &mut question.profile;
