@@ -8,7 +8,9 @@ use super::failure::Failure;
 use super::output::{Output, write_text};
 use super::progress;
 use device::Device;
-use guardbit::explore::identify::{Answer, Capture, Case, Hypotheses, Identifier, Next, Reading};
+use guardbit::explore::identify::{
+    Answer, Capture, Case, Hypotheses, Identifier, Next, Pixels, Reading,
+};
 use guardbit::explore::space::Axis;
 use guardbit::profile;
 use std::path::{Path, PathBuf};
@@ -151,15 +153,13 @@ fn hypotheses(arguments: &Arguments) -> Result<Hypotheses, Failure> {
     }
     (base.window.width, base.window.height) = (width, height);
     base.validate().map_err(Failure::input)?;
-    Ok(match arguments.near {
-        Some(changes) => Hypotheses::near(base, changes),
-        None => {
-            super::takes_primitives(&base).map_err(|failure| {
-                failure.hint("--near N tries the profiles within N decisions of such a machine")
-            })?;
-            Hypotheses::of(base, arguments.axes.clone())
-        }
-    })
+    if let Some(changes) = arguments.near {
+        return Ok(Hypotheses::near(base, changes));
+    }
+    super::takes_primitives(&base).map_err(|failure| {
+        failure.hint("--near N tries the profiles within N decisions of such a machine")
+    })?;
+    Ok(Hypotheses::of(base, arguments.axes.clone()))
 }
 
 /// How the lines of this command are read.
@@ -181,7 +181,7 @@ fn read(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
 }
 
 /// The pixels of a picture that are not black and not transparent.
-fn picture(path: &Path) -> Result<(Vec<bool>, (u32, u32)), String> {
+fn picture(path: &Path) -> Result<Pixels, String> {
     let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
     let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
     decoder.set_transformations(png::Transformations::normalize_to_color8());

@@ -8,7 +8,7 @@ mod narrow;
 mod picture;
 mod probe;
 
-pub use case::{Answer, Case, CaseError, Reading};
+pub use case::{Answer, Case, CaseError, Pixels, Reading};
 pub use hypothesis::Hypotheses;
 pub use picture::{Capture, Picture};
 pub use probe::{Next, Probe};
@@ -107,14 +107,10 @@ impl Identifier {
         self.left.iter().filter(|left| left.root.inside)
     }
 
-    /// Words of depth that are left, over all machines that are.
+    /// Words of depth that are left, over all machines that are; 0 as long as no case told of depth.
     pub fn depths_left(&self) -> u64 {
-        let alive = |left: &Left| left.depths(&self.depths, self.wrong).len();
-        if self.depths.is_empty() {
-            0
-        } else {
-            self.left.iter().map(|left| alive(left) as u64).sum()
-        }
+        let told = self.inside().filter(|left| !left.depth_fails.is_empty());
+        told.map(|left| left.depths(&self.depths, self.wrong).len() as u64).sum()
     }
 
     /// Takes a case: what does not agree with it, and has failed too often, is gone. Depth is looked at as soon
@@ -145,7 +141,8 @@ impl Identifier {
         !self.waiting.is_empty() && !self.depths.is_empty()
     }
 
-    /// What is left, one by one, at most so many.
+    /// What is left, one by one, at most so many. As long as no case told of depth, the words of depth are all that
+    /// are thought of.
     pub fn found(&self, most: usize) -> Vec<Found> {
         let mut found = Vec::new();
         for left in self.inside() {
@@ -189,7 +186,8 @@ impl Identifier {
                     note("picture", self.captures[capture].to_string());
                 }
             }
-            for depth in left.depths(&self.depths, self.wrong).into_iter().flatten() {
+            let depths = left.depths(&self.depths, self.wrong).into_iter().flatten();
+            for depth in depths.filter(|_| !left.depth_fails.is_empty()) {
                 note("depth.interpolation", depth.interpolation.to_string());
                 note("depth.rounding", depth.rounding.to_string());
                 note("depth.start-bias", format!("{:?}", depth.start_bias).to_lowercase());
@@ -261,8 +259,8 @@ impl Left {
             let own = boxed.as_ref().zip(words).and_then(|(boxed, words)| {
                 // Words that hold every value that a triangle meets draw what the widest draw.
                 let bits =
-                    needed.entry(words.fraction(1)).or_insert_with(|| boxed.needed(model, words));
-                if *bits <= words.width { None } else { boxed.words(model, words) }
+                    needed.entry(words.fraction(1)).or_insert_with(|| boxed.needed(model, *words));
+                if *bits <= words.width { None } else { boxed.words(model, *words) }
             });
             if let Some(narrow) = own {
                 for (fails, picture) in fails.iter_mut().zip(&undone.pictures) {
@@ -292,7 +290,7 @@ impl Left {
         let deep = Deep::new(&self.root, &case.primitive, depths);
         for (depth, fails) in depths.iter().zip(&mut self.depth_fails) {
             if *fails <= wrong {
-                let codes = deep.as_ref().and_then(|deep| deep.codes(*depth, expected));
+                let codes = deep.as_ref().and_then(|deep| deep.codes(*depth, expected.keys()));
                 let agrees = codes.is_some_and(|codes| codes.eq(expected.values().copied()));
                 *fails = fails.saturating_add(u8::from(!agrees));
             }
@@ -389,15 +387,15 @@ impl<'a> Deep<'a> {
     }
 
     /// The codes at pixels; none where these words cannot be.
-    fn codes<T>(
+    fn codes<'b>(
         &self,
         depth: DepthConfig,
-        at: &BTreeMap<(u32, u32), T>,
+        at: impl Iterator<Item = &'b (u32, u32)>,
     ) -> Option<impl Iterator<Item = u64>> {
         let vertex = &self.root.model.profile().vertex;
         let depth = Depth::new(depth, vertex, Processor::default()).ok()?;
         let plane = depth.plane(&self.triangle, self.z, &self.grid);
-        Some(at.keys().map(move |(x, y)| depth.code(depth.held(&plane, *x, *y))))
+        Some(at.map(move |(x, y)| depth.code(depth.held(&plane, *x, *y))))
     }
 }
 
@@ -406,6 +404,8 @@ fn depth_agrees(root: &Root, depth: DepthConfig, case: &Case) -> bool {
     let Answer::Picture { depth: expected, .. } = &case.answer else { return true };
     expected.is_empty()
         || Deep::new(root, &case.primitive, &[depth])
-            .and_then(|deep| Some(deep.codes(depth, expected)?.eq(expected.values().copied())))
+            .and_then(|deep| {
+                Some(deep.codes(depth, expected.keys())?.eq(expected.values().copied()))
+            })
             .unwrap_or(false)
 }

@@ -24,6 +24,7 @@ mod explore;
 mod explore_page;
 mod export;
 mod fit;
+mod identify;
 mod layering;
 mod machine_list;
 mod profile;

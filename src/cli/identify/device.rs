@@ -19,12 +19,13 @@ pub(super) struct Device {
 impl Device {
     /// Starts it, by the shell.
     pub(super) fn start(command: &str) -> Result<Self, Failure> {
-        let mut child = Command::new("sh")
-            .args(["-c", command])
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .map_err(|error| Failure::io(&format!("--device {command}"), &error))?;
+        let mut shell = Command::new("sh");
+        shell.args(["-c", command]).stdin(Stdio::piped()).stdout(Stdio::piped());
+        // A group of its own, so that whatever the command started can be stopped with it.
+        #[cfg(unix)]
+        std::os::unix::process::CommandExt::process_group(&mut shell, 0);
+        let mut child =
+            shell.spawn().map_err(|error| Failure::io(&format!("--device {command}"), &error))?;
         let (send, answers) = channel();
         let output = child.stdout.take();
         std::thread::spawn(move || -> Option<()> {
@@ -71,6 +72,8 @@ impl Drop for Device {
             }
             std::thread::sleep(Duration::from_millis(10));
         }
+        let group = format!("kill -s KILL -- -{}", self.child.id());
+        let _ = Command::new("sh").args(["-c", &group]).stderr(Stdio::null()).status();
         let _ = self.child.kill();
         let _ = self.child.wait();
     }

@@ -61,6 +61,9 @@ struct Given {
 const PASSED_OVER: [&str; 4] = ["events", "masked", "masks", "channels"];
 const ANSWER: [&str; 6] = ["rows", "z", "out", "png", "unknown", "scissor"];
 
+/// For each pixel of a picture, row by row, whether it is covered; and its columns and rows.
+pub type Pixels = (Vec<bool>, (u32, u32));
+
 /// How cases are read.
 #[derive(Clone, Copy, Debug)]
 pub struct Reading<'a> {
@@ -70,8 +73,8 @@ pub struct Reading<'a> {
     pub lattice: Option<u32>,
     /// The folder that pictures are looked for in.
     pub folder: &'a Path,
-    /// Reads a picture: for each pixel, row by row, whether it is covered, and the picture's size.
-    pub picture: fn(&Path) -> Result<(Vec<bool>, (u32, u32)), String>,
+    /// Reads a picture.
+    pub picture: fn(&Path) -> Result<Pixels, String>,
 }
 
 impl Reading<'_> {

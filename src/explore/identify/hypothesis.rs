@@ -121,7 +121,7 @@ impl Hypotheses {
             profile.vertex.snap = *snap;
             Some(("snap".to_owned(), snap.to_string()))
         });
-        profiles = product(profiles, &self.samples(), |at, profile| {
+        profiles = product(profiles, &Self::samples(), |at, profile| {
             let place = at.map(|part| {
                 let scaled = u64::from(part) << profile.vertex.sub_pixel;
                 (scaled % u64::from(PARTS) == 0).then_some(scaled / u64::from(PARTS))
@@ -160,7 +160,7 @@ impl Hypotheses {
 
     /// The sample positions that are tried, in parts of a pixel; that of a base profile that places its sample
     /// elsewhere is not among them.
-    fn samples(&self) -> Vec<[u32; 2]> {
+    fn samples() -> Vec<[u32; 2]> {
         let all = 0..PARTS;
         all.clone().flat_map(|y| all.clone().map(move |x| [x, y])).collect()
     }
@@ -184,8 +184,8 @@ impl Hypotheses {
                             depths.push(DepthConfig {
                                 interpolation,
                                 rounding,
-                                start_bias,
                                 division,
+                                start_bias,
                                 ..base
                             });
                         }

@@ -44,7 +44,7 @@ impl Boxed {
 
     /// Bits that hold every edge word at the samples of the box: E is linear, so its extremes lie on the
     /// corners.
-    pub(super) fn needed(&self, model: &Model, words: &EdgeWordConfig) -> u32 {
+    pub(super) fn needed(&self, model: &Model, words: EdgeWordConfig) -> u32 {
         let Rect { x0, y0, x1, y1 } = self.area;
         let Ok(grid) = model.profile().grid() else { return u32::MAX };
         if x0 >= x1 || y0 >= y1 {
@@ -63,7 +63,7 @@ impl Boxed {
     }
 
     /// The words of some width; none for those that 64 bits do not hold.
-    pub(super) fn words(&self, model: &Model, words: &EdgeWordConfig) -> Option<Narrow> {
+    pub(super) fn words(&self, model: &Model, words: EdgeWordConfig) -> Option<Narrow> {
         let values = words.words(&self.triangle, &model.profile().grid().ok()?);
         #[allow(clippy::cast_possible_truncation, reason = "words are mod 2^N, N at most 64")]
         let edges = [0, 1, 2].map(|k| {
@@ -146,12 +146,12 @@ mod tests {
             let config = *edge;
             let model = Model::new(&profile).unwrap();
             let end = 44i64 << profile.vertex.sub_pixel;
-            let xy = [0, 1, 2].map(|_| [0, 1].map(|_| i128::from(words.between(0, end))));
+            let xy = [0, 1, 2].map(|_| [0, 1].map(|_| words.between(0, end)));
             let triangle = model.snap(&scene::Triangle::Lattice { xy, z: None }).unwrap();
             let mut drawn = Picture::empty((40, 24));
             model.draw(&triangle, &mut drawn).unwrap();
             let boxed = Boxed::new(&model, &triangle).unwrap();
-            let narrow = boxed.words(&model, &config).unwrap();
+            let narrow = boxed.words(&model, config).unwrap();
             let mut painted = Picture::empty((40, 24));
             narrow.paint(&mut painted);
             assert_eq!(painted, drawn, "{xy:?} {config:?}");
@@ -166,7 +166,7 @@ mod tests {
             profile.form.edge_mut().unwrap().width = 60;
             let mut wide = Picture::empty((40, 24));
             Model::new(&profile).unwrap().draw(&triangle, &mut wide).unwrap();
-            if boxed.needed(&model, &config) <= config.width {
+            if boxed.needed(&model, config) <= config.width {
                 assert_eq!(wide, drawn);
             } else {
                 wraps += u32::from(wide != drawn);

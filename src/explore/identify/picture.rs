@@ -2,7 +2,7 @@
 
 use crate::cover::Rect;
 use crate::machine::Sink;
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// One bit for each pixel of a window.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -61,9 +61,9 @@ impl Picture {
     }
 
     /// The places of pixels that are set.
-    pub(super) fn pixels(&self) -> BTreeMap<(u32, u32), ()> {
+    pub(super) fn pixels(&self) -> BTreeSet<(u32, u32)> {
         let all = (0..self.height).flat_map(|y| (0..self.width).map(move |x| (x, y)));
-        all.filter(|(x, y)| self.get(*x, *y)).map(|place| (place, ())).collect()
+        all.filter(|(x, y)| self.get(*x, *y)).collect()
     }
 
     /// Pixels that are set in both.

@@ -3,6 +3,7 @@
 use super::narrow::Boxed;
 use super::{Deep, Identifier, Left, Picture, flat, prepared};
 use crate::case::Words;
+use crate::cover::EdgeWordConfig;
 use crate::model::Model;
 use crate::scene::{Primitive, Triangle};
 use crate::value::DepthConfig;
@@ -95,7 +96,8 @@ impl Identifier {
             for _ in 0..candidates {
                 let mut words = Words::new(seed, CLASS, number);
                 number += 1;
-                let place = words.word(60) as usize % tried.machines.len();
+                let place = words.word(60) % tried.machines.len() as u64;
+                let place = usize::try_from(place).unwrap_or(0);
                 let mut probe = self.candidate(&mut words, tried.machines[place].0, size, round);
                 tried.split(&mut probe, size);
                 let better = best.as_ref().is_none_or(|best| probe.expected < best.expected);
@@ -144,7 +146,7 @@ impl Identifier {
             .sample
             .map_or([0.5, 0.5], |at| [f64::from(at.x) * unit, f64::from(at.y) * unit]);
         // Large triangles tell edge words apart; small ones everything else, and are quick.
-        let large = round > 0 || words.draw() % 4 == 0 || self.left.len() <= 2;
+        let large = round > 0 || words.draw().is_multiple_of(4) || self.left.len() <= 2;
         let reach = |size: u32| f64::from(if large { size } else { size.min(12) });
         let (wide, high) = (reach(width), reach(height));
         let first = [real(words, f64::from(width) - wide), real(words, f64::from(height) - high)];
@@ -159,7 +161,7 @@ impl Identifier {
                     let beside = unit / 64.0;
                     at.map(|value| {
                         ((value / unit).floor() + 0.5) * unit
-                            + if words.draw() % 2 == 0 { beside } else { -beside }
+                            + if words.draw().is_multiple_of(2) { beside } else { -beside }
                     })
                 }
                 _ => at.map(|value| (value * 65536.0).floor() / 65536.0),
@@ -220,11 +222,13 @@ impl Tried<'_> {
                 }
             };
             let words = root.words.get(*variant);
-            let fits = |boxed: &Boxed, words| boxed.needed(&root.model, words) <= words.width;
+            let fits = |boxed: &Boxed, words: &EdgeWordConfig| {
+                boxed.needed(&root.model, *words) <= words.width
+            };
             let covers = match (words, boxed) {
                 (None, _) => widest,
                 (Some(words), Some(boxed)) if fits(&boxed, words) => widest,
-                (Some(words), boxed) => match boxed.and_then(|b| b.words(&root.model, words)) {
+                (Some(words), boxed) => match boxed.and_then(|b| b.words(&root.model, *words)) {
                     Some(narrow) => {
                         picture.clear();
                         narrow.paint(&mut picture);
@@ -266,7 +270,7 @@ impl Tried<'_> {
                     Some((of, deep)) if *of == own => deep,
                     deep => &mut deep.insert((own, Deep::new(&left.root, &primitive, &[*depth]))).1,
                 };
-                let codes = of.as_ref().and_then(|deep| deep.codes(*depth, &pixels));
+                let codes = of.as_ref().and_then(|deep| deep.codes(*depth, pixels.iter()));
                 codes.map_or_else(Vec::new, Iterator::collect)
             })
             .collect();
@@ -276,7 +280,7 @@ impl Tried<'_> {
             .collect();
         let step = telling.len().div_ceil(TELLING).max(1);
         telling = telling.into_iter().step_by(step).collect();
-        let places: Vec<(u32, u32)> = pixels.keys().copied().collect();
+        let places: Vec<(u32, u32)> = pixels.iter().copied().collect();
         // One pixel after another, each the one that makes most of those before.
         let mut class = vec![0usize; answers.len()];
         let mut count = 1;
@@ -299,7 +303,9 @@ impl Tried<'_> {
             probe.pixels.push(places[n]);
         }
         let mut sizes = vec![0usize; count];
-        class.iter().for_each(|class| sizes[*class] += 1);
+        for class in class {
+            sizes[class] += 1;
+        }
         (count, expected(sizes.into_iter(), answers.len()))
     }
 }
