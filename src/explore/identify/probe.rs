@@ -15,6 +15,10 @@ const SAMPLE: usize = 256;
 /// Candidates a round, and rounds before it is said that nothing splits what is left.
 const CANDIDATES: u64 = 48;
 const ROUNDS: u64 = 4;
+/// Machines among which depth is asked about.
+const ALIKE: usize = 16;
+/// Machines times candidates of the last round.
+const MANY: u64 = 16_000;
 /// Pixels whose depth is looked at in a candidate, and those that are named.
 const TELLING: usize = 48;
 const PIXELS: usize = 8;
@@ -91,8 +95,17 @@ impl Identifier {
         let few = SAMPLE / (tried.machines.len() + tried.depths.len()).max(1);
         let candidates = CANDIDATES * (few as u64).clamp(1, 16);
         let mut number = 0;
-        for round in 0..ROUNDS {
+        for round in 0..=ROUNDS {
             let mut best: Option<Probe> = None;
+            // The last round looks at machines with their widest words alone, and at many candidates: one bit
+            // more below the pixel shows in one triangle of fifty.
+            let last = (round == ROUNDS).then(|| tried.widest());
+            let tried = last.as_ref().unwrap_or(&tried);
+            let candidates = match &last {
+                None => candidates,
+                Some(tried) if tried.machines.len() < 2 => 0,
+                Some(tried) => MANY / tried.machines.len() as u64,
+            };
             for _ in 0..candidates {
                 let mut words = Words::new(seed, CLASS, number);
                 number += 1;
@@ -105,7 +118,10 @@ impl Identifier {
                     best = Some(probe);
                 }
             }
-            if let Some(best) = best {
+            if let Some(mut best) = best {
+                if last.is_some() {
+                    self.sample().split(&mut best, size);
+                }
                 return Next::Draw(best);
             }
         }
@@ -121,11 +137,11 @@ impl Identifier {
                 left.alive(self.captures.len(), self.wrong).map(|(variant, _)| variant).collect();
             variants.dedup();
             machines.extend(variants.into_iter().map(|variant| (left, variant)));
-            // Depth waits until few machines are left.
-            if self.left.len() <= 4 {
-                let own = left.depths(&self.depths, self.wrong).into_iter().flatten();
-                depths.extend(own.map(|depth| (left, depth)));
-            }
+        }
+        // Depth waits until few machines are left, and then one stands for all: they differ in ties.
+        if let (Some(left), true) = (self.inside().next(), self.left.len() <= ALIKE) {
+            let own = left.depths(&self.depths, self.wrong).into_iter().flatten();
+            depths.extend(own.map(|depth| (left, depth)));
         }
         Tried { machines: evenly(machines), depths: evenly(depths) }
     }
@@ -191,6 +207,20 @@ fn evenly<T>(all: Vec<T>) -> Vec<T> {
     // A step that shares no factor with the order of the variants goes through all of them.
     let step = if all.len() > SAMPLE { (all.len() / SAMPLE) | 1 } else { 1 };
     all.into_iter().step_by(step).collect()
+}
+
+impl<'a> Tried<'a> {
+    /// One of the words of each machine: the widest.
+    fn widest(&self) -> Self {
+        let mut machines: Vec<(&'a Left, usize)> = Vec::new();
+        for (left, variant) in &self.machines {
+            match machines.last_mut() {
+                Some((last, widest)) if std::ptr::eq(*last, *left) => *widest = *variant,
+                _ => machines.push((left, *variant)),
+            }
+        }
+        Self { machines, depths: Vec::new() }
+    }
 }
 
 /// How many of some things are left on average when one of their classes is.
