@@ -6,6 +6,7 @@ use super::domain::Question;
 use super::plane::{self, Goal, Subject};
 use super::{guard, slope};
 use crate::format::Clamp;
+use std::fmt::Write as _;
 
 /// The claims on depth, for a profile that has it.
 pub(super) fn proofs(question: &Question) -> Vec<Proof> {
@@ -31,7 +32,8 @@ fn of_own_means(question: &Question) -> Vec<Proof> {
     let interpolation = goals.iter().map(|goal| {
         let mut proof = value.interpolation_proof("the depth", *goal, refusal);
         if proof.bits.is_none() && refusal.is_none() && value.own_error().is_some() {
-            proof.statement += &format!(
+            let _ = write!(
+                proof.statement,
                 " The rest of the error comes from the machine's other words (clause {}): give these more bits.",
                 form.kind().clause
             );
