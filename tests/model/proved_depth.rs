@@ -84,7 +84,7 @@ fn triangle(index: u64, profile: &Profile) -> Triangle {
     let mut words = Words::new(19, 1, index);
     let mut point = || [0, 1].map(|_| words.between(low, high));
     let mut xy = [point(), point(), point()];
-    if index % 2 == 0 {
+    if index.is_multiple_of(2) {
         let near = |at: i128, by: i128| (at + by).clamp(low.into(), high.into());
         xy[2] = [near(xy[1][0], words.between(-3, 3)), near(xy[1][1], words.between(-3, 3))];
     }
