@@ -13,7 +13,9 @@ use std::time::Duration;
 /// Prove how few bits are enough for a whole window and guard band.
 ///
 /// For each claim, the command prints a bound, and a counterexample for one bit fewer: a triangle that the
-/// model draws wrong. Of channels it also says how far a code is off at most. Exit status 1 if the profile has too few bits for a claim, or if a prover disagrees.
+/// model draws wrong. The depth of machines without a plane (gouraud, barycentric) has a bound and no counterexample.
+/// Of channels it also says how far a code is off at most. Exit status 1 if the profile has too few bits for a claim,
+/// or if a prover disagrees.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.

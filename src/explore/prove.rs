@@ -20,6 +20,7 @@ mod channel;
 mod channel_formal;
 mod corrected;
 mod correction;
+mod depth;
 mod domain;
 mod edge;
 mod edge_coefficient;
@@ -122,9 +123,7 @@ pub fn prove(question: &Question) -> Vec<Proof> {
     let plain = question.without_channels();
     let mut proofs = edge::proofs(&plain);
     proofs.extend(walk::proofs(&plain));
-    proofs.extend(plane::proofs(&plain, &plane::Subject::depth()));
-    proofs.extend(guard::proof(&plain, &plane::Subject::depth()));
-    proofs.extend(slope::proof(&plain));
+    proofs.extend(depth::proofs(&plain));
     proofs.extend(channel::proofs(question));
     proofs
 }

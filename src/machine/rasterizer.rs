@@ -109,6 +109,10 @@ pub struct Face<'a> {
 pub struct EveryLinear {
     /// Columns and rows of the window.
     pub window: [i128; 2],
+    /// Lowest and highest vertex coordinates in sub-pixels of the window, each axis.
+    pub vertices: [[i128; 2]; 2],
+    /// Sub-pixel bits.
+    pub sub_pixel: u32,
     /// The largest difference of the values of two vertices.
     pub rise: Rational,
     /// The largest change from a pixel to the next in its row.
@@ -162,7 +166,7 @@ pub trait Rasterizer: std::fmt::Debug + Send + Sync {
     ) -> Option<Rational>;
 
     /// The bound of the error of the accumulator of every such value, at every sample of the window that a triangle
-    /// covers, under an exact division; `None` if no bound is stated. Spec clause `CH-22`.
+    /// covers, under an exact division; `None` if no bound is stated. Spec clauses `B-5` and `CH-22`.
     fn window_bound(&self, value: &EveryLinear) -> Option<Rational> {
         let planes = self.walks_a_plane() && self.carries() != Carries::Nothing;
         planes.then(|| {

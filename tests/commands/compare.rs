@@ -347,3 +347,41 @@ fn a_square_through_every_rasterizer() {
     assert_eq!(refused.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&refused.stderr).contains("n64 is a register-level machine"));
 }
+
+/// Clause A-12: where no bound is stated there is none, not a bound that is not used at all; coverage is still checked.
+#[test]
+fn a_profile_without_a_stated_bound_has_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = folder.path().join("one.jsonl");
+    std::fs::write(&scene, "{\"v\": [[0,0,0],[6144,0,600],[0,4096,900]]}\n").unwrap();
+    let file = folder.path().join("changed.toml");
+    for change in [
+        |profile: &mut guardbit::profile::Profile| {
+            profile.depth.as_mut().unwrap().division =
+                guardbit::setup::Division::Reciprocal { bits: 30 };
+        },
+        |profile: &mut guardbit::profile::Profile| {
+            profile.depth.as_mut().unwrap().clamp = guardbit::format::Clamp::Sign;
+        },
+    ] {
+        let mut profile = guardbit::profile::load("sgi-4k").unwrap();
+        change(&mut profile);
+        std::fs::write(&file, profile.to_toml()).unwrap();
+        let arguments = |last| {
+            let [file, scene] = [&file, &scene].map(|path| path.to_str().unwrap());
+            ["compare", file, "--scene", scene, "--window", "64x64", "--no-time", last]
+        };
+        let report = json(&arguments("--json"));
+        let rows = report["machines"].as_array().unwrap();
+        assert_eq!(rows.len(), triangle_machines().count());
+        for row in rows {
+            assert!(row["depth_of_bound"].is_null(), "{row}");
+            assert_eq!(row["beyond_bound"], 0, "{row}");
+        }
+        let text = guardbit(&arguments("--machines=tiles"));
+        assert_eq!(text.status.code(), Some(0));
+        let text = String::from_utf8(text.stdout).unwrap();
+        assert!(text.contains(" none "), "{text}");
+        assert!(text.contains("so it is not checked: tiles"), "{text}");
+    }
+}

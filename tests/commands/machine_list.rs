@@ -344,7 +344,9 @@ fn a_machine_of_ones_own_has_the_whole_command() {
     let compared =
         good(&run("compare own.toml --scene fan --machines conservative,scanline --no-time"));
     assert!(
-        compared.contains("these machines state no bound, so no bound is checked: conservative"),
+        compared.contains(
+            "these machines state no bound for this profile, so it is not checked: conservative"
+        ),
         "{compared}"
     );
     let compared = good(&run(

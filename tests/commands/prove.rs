@@ -683,3 +683,40 @@ fn provers_agree_disagree_are_missing_or_are_stopped() {
     let checks = json(&ran)["checks"].clone();
     assert_eq!((&checks[0]["solver"], &checks[0]["answer"]), (&"z3".into(), &"agrees".into()));
 }
+
+/// Clauses B-5, B-7 and B-8: depth that is no plane has the bound of its machine, and no slope. The numbers are those of
+/// 2 x 255 x 7 x 2^-(C+1) + 2^-F for 4 x 4 pixels and 8 bits of depth.
+#[test]
+fn depth_without_a_plane_has_the_bound_of_its_machine() {
+    let home = tempfile::tempdir().unwrap();
+    let mut profile = load("tiny").unwrap().with_machine("barycentric").unwrap();
+    let Form::Barycentric(machine) = &mut profile.form else { unreachable!("as asked") };
+    machine.coordinate = 12;
+    profile.depth.as_mut().unwrap().integer = 8;
+    std::fs::write(home.path().join("b.toml"), profile.to_toml()).unwrap();
+    let report = json(&run_in(home.path(), "prove b.toml --claim depth --json"));
+    let rows = report["rows"].as_array().unwrap();
+    let names: Vec<_> = rows.iter().map(|row| row["claim"].as_str().unwrap()).collect();
+    assert_eq!(names, ["depth.interpolation", "depth.guard"]);
+    // 3570 / 8192 = 1785 / 4096 leaves 263 / 4096 below one half: 2^-4 is 256 / 4096.
+    assert_eq!((&rows[0]["bits"], &rows[0]["clause"]), (&4.into(), &"B-5".into()));
+    assert_eq!(rows[0]["bound"], "2041/4096 < 1/2");
+    assert!(rows[0]["witness"].is_null() && rows[1]["witness"].is_null());
+    // With 11 bits of a coordinate the half is gone.
+    let Form::Barycentric(machine) = &mut profile.form else { unreachable!("as asked") };
+    machine.coordinate = 11;
+    std::fs::write(home.path().join("b.toml"), profile.to_toml()).unwrap();
+    let ran = run_in(home.path(), "prove b.toml --claim depth.interpolation").ends(1);
+    let words = |ran: &Ran| ran.out.split_whitespace().collect::<Vec<_>>().join(" ");
+    for text in ["NOT PROVED", "other words (clause A-6): give these more bits."] {
+        assert!(words(&ran).contains(text), "{}", ran.out);
+    }
+    // Slopes of slivers make more of the error of a walked x than any depth has.
+    let walked = load("tiny").unwrap().with_machine("gouraud").unwrap();
+    std::fs::write(home.path().join("g.toml"), walked.to_toml()).unwrap();
+    let ran = run_in(home.path(), "prove g.toml --claim depth.interpolation").ends(1);
+    for text in ["as the machine gouraud carries it", "which this machine does not promise"] {
+        assert!(words(&ran).contains(text), "{}", ran.out);
+    }
+    run_in(home.path(), "prove g.toml --claim depth.slope").complains(2, &["depth.slope"]);
+}

@@ -29,6 +29,7 @@ mod meshes;
 mod multisample;
 mod polygons;
 mod property;
+mod proved_depth;
 mod rasterizers;
 mod require;
 mod snapshot;

@@ -150,7 +150,7 @@ fn print(output: &mut Output, profile: &str, comparison: &Comparison) -> Result<
     if !unstated.is_empty() {
         output.line("")?;
         output.line(format!(
-            "these machines state no bound, so no bound is checked: {}",
+            "these machines state no bound for this profile, so it is not checked: {}",
             unstated.join(", ")
         ))?;
     }

@@ -1,17 +1,21 @@
-//! A value of a channel, or 1/w, that a machine carries over the window: its range, its error, its guard bits.
-//! Spec clause `CH-22`.
+//! A value of a channel, 1/w, or depth that is no plane, which a machine carries over the window: its range, its error,
+//! its bits. Spec clauses `B-5` and `CH-22`.
 
 use super::Proof;
+use super::channel::MOST;
 use super::domain::Question;
 use super::formal::Formal;
 use super::guard::{self, Reach};
+use super::plane::{Goal, Growth};
+use super::plane_witness::start_bias;
+use super::text::bits as count;
 use super::trial::scaled;
 use crate::bits::Rounding;
 use crate::exact::{Rational, dyadic, integer};
 use crate::format::{Clamp, ReadOut};
 use crate::machine::EveryLinear;
 use crate::setup::Division;
-use crate::value::{AttributeConfig, InverseWConfig};
+use crate::value::{AttributeConfig, DepthConfig, InverseWConfig};
 use num_traits::Zero;
 use std::fmt::Write as _;
 
@@ -33,6 +37,8 @@ pub(super) struct CarriedValue<'a> {
     gain: i128,
     /// What a shared reciprocal in set-up adds to the error, in ULP.
     shared: Rational,
+    /// The clauses of the claims on interpolation bits and on guard bits.
+    clauses: [&'static str; 2],
 }
 
 impl<'a> CarriedValue<'a> {
@@ -65,6 +71,25 @@ impl<'a> CarriedValue<'a> {
             offset: channel.offset(),
             gain: channel.start_gain(),
             shared,
+            clauses: ["CH-22"; 2],
+        }
+    }
+
+    /// Depth of a machine that makes it by its own means.
+    pub(super) fn depth(question: &'a Question, depth: &DepthConfig) -> Self {
+        Self {
+            question,
+            topic: "depth".to_owned(),
+            values: [integer(0), integer((1 << depth.integer) - 1)],
+            integer: depth.integer,
+            fraction: depth.interpolation,
+            rounding: depth.rounding,
+            guard: depth.guard,
+            clamp: depth.clamp,
+            offset: 0,
+            gain: start_bias(depth, depth.interpolation),
+            shared: Growth::new(question, depth).division,
+            clauses: ["B-5", "B-7"],
         }
     }
 
@@ -82,6 +107,7 @@ impl<'a> CarriedValue<'a> {
             offset: 0,
             gain: 0,
             shared: Rational::zero(),
+            clauses: ["CH-22"; 2],
         }
     }
 
@@ -93,7 +119,9 @@ impl<'a> CarriedValue<'a> {
         let span = (high[0] - low[0]).max(high[1] - low[1]);
         let steepest = &rise * scaled(span, question.sub_pixel());
         let (window, rounding) = (question.size(), self.rounding);
-        let every = EveryLinear { window, rise, steepest, rounding, fraction };
+        let vertices = question.vertices.map(|end| question.to_model(end));
+        let sub_pixel = question.sub_pixel();
+        let every = EveryLinear { window, vertices, sub_pixel, rise, steepest, rounding, fraction };
         Some(question.profile.form.window_bound(&every)? + &self.shared)
     }
 
@@ -131,7 +159,61 @@ impl<'a> CarriedValue<'a> {
 
     /// The fewest guard bits that keep covered samples in range.
     fn fewest_guard(&self) -> Option<u32> {
-        self.reach()?.fewest(|guard| self.read_out(guard))
+        // A sticky accumulator depends on its path, and has no range to stay in.
+        let sticky = self.clamp == Clamp::Saturate;
+        self.reach().filter(|_| !sticky)?.fewest(|guard| self.read_out(guard))
+    }
+
+    /// The claim on interpolation bits. `refusal` is a sentence on why no number is enough.
+    pub(super) fn interpolation_proof(
+        &self,
+        noun: &str,
+        goal: Goal,
+        refusal: Option<&str>,
+    ) -> Proof {
+        let enough = |bits: &u32| self.error(*bits).is_some_and(|error| error < goal.ulp());
+        let bits = (0..=MOST).find(|bits| refusal.is_none() && enough(bits));
+        let mut statement = match bits {
+            Some(bits) => format!(
+                "{} of interpolation keep the error of {noun} below {}: {}.",
+                count(bits),
+                goal.name(),
+                self.walk()
+            ),
+            None => format!(
+                "No number of interpolation bits is proved to keep the error of {noun} below {}: {}.",
+                goal.name(),
+                self.walk()
+            ),
+        };
+        if let Some(refusal) = refusal {
+            let _ = write!(statement, " {refusal}");
+        }
+        Proof {
+            claim: match goal {
+                Goal::Half => format!("{}.interpolation", self.topic),
+                Goal::One => format!("{}.interpolation-one", self.topic),
+            },
+            row: None,
+            place: self.question.place(),
+            statement,
+            error: None,
+            bits,
+            given: Some(self.fraction),
+            sufficient: bits.is_some_and(|bits| self.fraction >= bits),
+            bound: match (refusal, self.error(bits.unwrap_or(MOST))) {
+                (Some(refusal), _) => refusal.trim_end_matches('.').to_owned(),
+                (_, Some(error)) if bits.is_some() => format!("{error} < {}", goal.ulp()),
+                (_, Some(error)) => format!("{error} >= {} with {MOST} bits", goal.ulp()),
+                (_, None) => {
+                    let kind = self.question.profile.form.kind();
+                    format!("{} states no bound for these words ({})", kind.name, kind.clause)
+                }
+            },
+            clause: self.clauses[0],
+            witness: None,
+            formal: Formal::default(),
+        }
     }
 
     /// Whether no accumulator of a covered sample wraps.
@@ -175,7 +257,7 @@ impl<'a> CarriedValue<'a> {
                 Some((low, limit)) => format!("{sum}, within [{low}, {limit})"),
                 None => sum,
             },
-            clause: "CH-22",
+            clause: self.clauses[1],
             witness: None,
             formal: Formal {
                 smt: bits.map(|bits| reach.obligation(bits, None, self.fraction, range)),

@@ -5,7 +5,7 @@ use super::channel_formal::coordinate_obligation;
 use super::corrected::{Corrected, of_w};
 use super::domain::Question;
 use super::formal::Formal;
-use super::plane::{self, Subject};
+use super::plane::{self, Goal, Subject};
 use super::text::{bits as count, decimal_up};
 use super::{Proof, guard};
 use crate::exact::{Rational, dyadic, integer};
@@ -178,44 +178,9 @@ fn of_codes(mut proof: Proof) -> Proof {
 
 /// Of a machine with an error of its own, or at a place outside the triangle.
 fn carried_affine(question: &Question, channel: &AttributeConfig, value: &CarriedValue) -> Proof {
-    let inside = is_inside(question, channel);
-    let half = dyadic(1, 1);
-    let enough = |bits: &u32| value.error(*bits).is_some_and(|error| error < half);
-    let bits = (0..=MOST).find(|bits| inside && enough(bits));
-    let error = |bits| value.error(bits).map_or("none".to_owned(), |error| error.to_string());
-    let mut statement = match bits {
-        Some(bits) => format!(
-            "{} of interpolation keep the error of {} below half an ULP: {}.",
-            count(bits),
-            codes(channel),
-            value.walk()
-        ),
-        None => format!(
-            "No number of interpolation bits is proved to keep the error of {} below half an ULP: {}.",
-            codes(channel),
-            value.walk()
-        ),
-    };
-    if !inside {
-        statement += " The channel is evaluated outside its triangle: at = \"sample\" is not.";
-    }
-    Proof {
-        claim: format!("{}.interpolation", value.topic),
-        row: None,
-        place: question.place(),
-        statement,
-        error: None,
-        bits,
-        given: Some(channel.interpolation),
-        sufficient: bits.is_some_and(|bits| channel.interpolation >= bits),
-        bound: match bits {
-            Some(bits) => format!("{} < 1/2", error(bits)),
-            None => format!("{} >= 1/2 with {MOST} bits", error(MOST)),
-        },
-        clause: "CH-22",
-        witness: None,
-        formal: Formal::default(),
-    }
+    let outside = "The channel is evaluated outside its triangle: at = \"sample\" is not.";
+    let refusal = (!is_inside(question, channel)).then_some(outside);
+    value.interpolation_proof(&codes(channel), Goal::Half, refusal)
 }
 
 fn coordinates(question: &Question, channel: &AttributeConfig, given: u32) -> Proof {

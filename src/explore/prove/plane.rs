@@ -26,7 +26,7 @@ impl Goal {
         dyadic(1, u32::from(self == Self::Half))
     }
 
-    const fn name(self) -> &'static str {
+    pub(super) const fn name(self) -> &'static str {
         match self {
             Self::Half => "half an ULP",
             Self::One => "one ULP",

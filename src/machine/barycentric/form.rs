@@ -67,6 +67,15 @@ impl BarycentricConfig {
     }
 }
 
+impl BarycentricConfig {
+    /// The largest error of a coordinate after so many roundings; `None` where its word, which ends at 2, can wrap
+    /// inside a triangle.
+    fn share_error(&self, roundings: i128) -> Option<Rational> {
+        let error = integer(roundings) * rounding_error(self.rounding, self.coordinate);
+        (error < integer(1)).then_some(error)
+    }
+}
+
 impl Rasterizer for BarycentricConfig {
     fn kind(&self) -> &'static Kind {
         &KIND
@@ -123,17 +132,16 @@ impl Rasterizer for BarycentricConfig {
     ) -> Option<Rational> {
         let depth = state.depth?;
         let [_, _, x1, y1] = face.bounds.map(i128::from);
-        let share = rounding_error(self.rounding, self.coordinate);
+        let share = self.share_error(1 + x1 + y1)?;
         let z = face.triangle.z.unwrap_or_default();
         let rise = integer((z[1] - z[0]).abs() + (z[2] - z[0]).abs());
-        Some(rise * integer(1 + x1 + y1) * share + dyadic(1, depth.interpolation))
+        Some(rise * share + dyadic(1, depth.interpolation))
     }
 
     /// Two differences of vertex values, weighted by coordinates that have this plane's error: clause `A-6`.
     fn window_bound(&self, value: &EveryLinear) -> Option<Rational> {
-        let share = rounding_error(self.rounding, self.coordinate);
-        let walk = integer(2 * (value.window[0] + value.window[1] - 1));
-        Some(walk * &value.rise * share + dyadic(1, value.fraction))
+        let share = self.share_error(value.window[0] + value.window[1] - 1)?;
+        Some(integer(2) * &value.rise * share + dyadic(1, value.fraction))
     }
 
     fn may_misplace(&self, _: &Face<'_>, _: [i128; 2]) -> Option<bool> {

@@ -2,8 +2,8 @@
 
 use super::Gouraud;
 use crate::cover::FillRule;
-use crate::exact::{PlaneNumerator, Rational, integer, ratio};
-use crate::format::{ReadOut, Refused, Value};
+use crate::exact::{PlaneNumerator, Rational, dyadic, integer, ratio};
+use crate::format::{Clamp, ReadOut, Refused, Value};
 use crate::machine::{
     Carries, Count, Datapath, EdgeWalkConfig, EveryLinear, Face, FormError, Intake, Kind, Machine,
     Operations, Polygons, RasterState, Rasterizer, Site, Step, Steps, Unit, Word, rounding_error,
@@ -65,6 +65,37 @@ fn operations(state: &RasterState) -> Operations {
     operations
 }
 
+/// The longest walk that a bound is for.
+struct Walk {
+    /// Columns and rows of samples, from the first one on.
+    columns: i128,
+    rows: i128,
+    /// Lowest and highest x of a vertex, in sub-pixels.
+    x: [i128; 2],
+    sub_pixel: u32,
+    /// The largest error of one rounding of the value.
+    ulp: Rational,
+}
+
+impl GouraudConfig {
+    /// H u (2^-F + |G| 2^-f) + L u 2^-F, clause `A-3`; `None` where a walked x can leave its word.
+    fn walked_bound(&self, walk: &Walk, steepest: &Rational) -> Option<Rational> {
+        let rows = integer(walk.rows + 2);
+        let x_off = &rows * rounding_error(self.rounding, self.fraction);
+        let word = ReadOut::new(self.guard, self.integer, self.fraction, Clamp::Guard).ok()?;
+        let (lowest, limit) = word.range();
+        let [low, high] = walk.x.map(|end| dyadic(end, walk.sub_pixel));
+        if low - &x_off < dyadic(lowest, self.fraction)
+            || high + &x_off >= dyadic(limit, self.fraction)
+        {
+            return None;
+        }
+        // The left cut can lie beyond the box by the error of x.
+        let length = integer(walk.columns + 1) + (&x_off).max(&integer(1));
+        Some(rows * &walk.ulp + steepest * x_off + length * &walk.ulp)
+    }
+}
+
 impl Rasterizer for GouraudConfig {
     fn kind(&self) -> &'static Kind {
         &KIND
@@ -109,7 +140,6 @@ impl Rasterizer for GouraudConfig {
         Some(Datapath { units, setup_bits, operations })
     }
 
-    /// H u (2^-F + |G| 2^-f) + V u 2^-F: clause `A-3`.
     fn depth_bound(
         &self,
         state: &RasterState,
@@ -118,19 +148,34 @@ impl Rasterizer for GouraudConfig {
     ) -> Option<Rational> {
         let depth = state.depth?;
         let [x0, y0, x1, y1] = face.bounds.map(i128::from);
-        let (rows, columns) = (integer(y1 - y0 + 2), integer(x1 - x0 + 2));
-        let ulp = rounding_error(depth.rounding, depth.interpolation);
-        let slope = ratio(exact.slope[0], exact.whole)?.abs() * integer(1 << face.grid.sub_pixel);
-        let x_off = rounding_error(self.rounding, self.fraction);
-        Some(rows * (&ulp + slope * x_off) + columns * ulp)
+        // The walk begins at the first sample of the triangle, also outside the window.
+        let [x, y] = [0, 1].map(|axis| face.triangle.extent(axis));
+        let first = |axis, extent| face.grid.pixels(axis, extent).0;
+        let (left, top) = (x0.min(first(0, x)), y0.min(first(1, y)));
+        let walk = Walk {
+            columns: x1 - left,
+            rows: y1 - top,
+            x: x.into(),
+            sub_pixel: face.grid.sub_pixel,
+            ulp: rounding_error(depth.rounding, depth.interpolation),
+        };
+        let pixel = integer(1 << face.grid.sub_pixel);
+        self.walked_bound(&walk, &(ratio(exact.slope[0], exact.whole)?.abs() * pixel))
     }
 
     /// The same for the largest box and the steepest slope.
     fn window_bound(&self, value: &EveryLinear) -> Option<Rational> {
-        let [columns, rows] = value.window.map(|side| integer(side + 2));
-        let ulp = rounding_error(value.rounding, value.fraction);
-        let x_off = rounding_error(self.rounding, self.fraction);
-        Some(rows * (&ulp + &value.steepest * x_off) + columns * ulp)
+        let ([columns, rows], [low, high]) = (value.window, value.vertices);
+        // Pixels above and to the left of the window in which a walk can begin.
+        let before = low.map(|end| 0.max(-(end >> value.sub_pixel)));
+        let walk = Walk {
+            columns: columns + before[0],
+            rows: rows + before[1],
+            x: [low[0], high[0]],
+            sub_pixel: value.sub_pixel,
+            ulp: rounding_error(value.rounding, value.fraction),
+        };
+        self.walked_bound(&walk, &value.steepest)
     }
 
     fn may_misplace(&self, face: &Face<'_>, at: [i128; 2]) -> Option<bool> {

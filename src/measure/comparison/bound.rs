@@ -30,16 +30,15 @@ fn bounded<'a>(stage: &'a Stage, face: &'a accuracy::Face) -> Face<'a> {
 
 /// Looks at every sample of a stage through a profile.
 pub(super) fn used(stage: &Stage, profile: &Profile) -> Result<Used, InvalidProfile> {
-    // A division by reciprocals and a clamp other than the guard's have errors of their own; what a depth bias
-    // moves beyond the range is clamped.
+    // No bound is stated for a division by reciprocals and a clamp other than the guard's, which have errors of their
+    // own; what a depth bias moves beyond the range is clamped.
     let holds = profile.depth.is_none_or(|depth| {
         depth.division == crate::setup::Division::Quotient
             && depth.clamp == crate::format::Clamp::Guard
             && depth.bias.is_none()
     });
     let inspector = Inspector::new(stage, profile)?;
-    let biased = profile.depth.is_some_and(|depth| depth.bias.is_some());
-    let mut used = Used { depth: (!biased).then_some(0.0), beyond: Some(0) };
+    let mut used = Used { depth: holds.then_some(0.0), beyond: Some(0) };
     for face in &stage.faces {
         let seen = bounded(stage, face);
         let surface = face.depth.as_ref().filter(|_| holds);

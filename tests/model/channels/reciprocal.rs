@@ -47,3 +47,34 @@ fn reciprocals_are_those_of_the_clauses() {
         assert!(error.contains(want), "{want}: {error}");
     }
 }
+
+/// Clauses CH-9 and CH-14: what a cut adds to the error of a unit is less than 2^-(p-1), without a product of both errors;
+/// every q of 9 bits, and tables that are too small, too large and rounded.
+#[test]
+fn a_cut_adds_less_than_a_unit_of_the_operand() {
+    let mut cuts = 0;
+    for table in [None, Some(vec![31; 4]), Some(vec![1; 4]), Some(vec![31, 31, 20, 31])] {
+        for operand in [3, 4, 6] {
+            let config = ReciprocalConfig {
+                operand,
+                index: 2,
+                entry: 5,
+                refine: Refine::None,
+                table: table.clone(),
+            };
+            let unit = config.unit().unwrap();
+            let worst = unit.worst();
+            let d = ratio(worst.error.abs(), 1 << worst.scale).unwrap();
+            let cut = ratio(1, 1 << (operand - 1)).unwrap();
+            for q in 1..512i128 {
+                let got = unit.of(q);
+                let off = ratio(q * got.mantissa, 1 << got.exponent).unwrap() - integer(1);
+                let off = if off < integer(0) { -off } else { off };
+                assert!(off < &d + &cut, "{operand} {table:?} {q}: {off}");
+                cuts += u32::from(off > d);
+            }
+        }
+    }
+    // Cuts do matter: an error above that of all normalised operands is found.
+    assert!(cuts > 100, "{cuts}");
+}
