@@ -1,8 +1,10 @@
 //! Which rasterizers are behind captures of an unknown one: all that agree with every case, exactly. Spec
 //! clauses `ID-1` to `ID-6`.
 
+mod agree;
 mod case;
 mod conflict;
+mod deep;
 mod hypothesis;
 mod narrow;
 mod picture;
@@ -13,15 +15,13 @@ pub use hypothesis::Hypotheses;
 pub use picture::{Capture, Picture};
 pub use probe::{Next, Probe};
 
-use crate::cover::{EdgeWordConfig, SampleGrid};
-use crate::dda::Processor;
-use crate::machine::Sink;
-use crate::model::{Model, Primitive};
+use crate::cover::EdgeWordConfig;
+use crate::model::Model;
 use crate::profile::Profile;
-use crate::scene::{self, Triangle};
-use crate::setup::Triangle as LatticeTriangle;
-use crate::value::{Depth, DepthConfig};
+use crate::value::DepthConfig;
+use agree::{agrees, flat};
 use case::Undone;
+use deep::{Deep, depth_agrees};
 use hypothesis::Root;
 use narrow::Boxed;
 use std::collections::BTreeMap;
@@ -296,116 +296,4 @@ impl Left {
             }
         }
     }
-}
-
-/// A triangle without its depth.
-fn flat(primitive: &scene::Primitive) -> Option<Triangle> {
-    match primitive {
-        scene::Primitive::Triangle(Triangle::Real { xy, .. }) => {
-            Some(Triangle::Real { xy: *xy, z: None })
-        }
-        scene::Primitive::Triangle(Triangle::Lattice { xy, .. }) => {
-            Some(Triangle::Lattice { xy: *xy, z: None })
-        }
-        _ => None,
-    }
-}
-
-/// The primitive, ready for a model without depth.
-fn prepared(model: &Model, primitive: &scene::Primitive) -> Option<Primitive> {
-    let flat = flat(primitive).map(scene::Primitive::Triangle);
-    model.prepare(flat.as_ref().unwrap_or(primitive)).ok()
-}
-
-/// Whether a model covers what a case says, by capture. What the model refuses it does not draw.
-fn agrees(model: &Model, case: &Case, undone: &Undone) -> Vec<bool> {
-    match &case.answer {
-        Answer::Picture { covered, .. } => {
-            let mut picture = Picture::empty(covered.size());
-            let drawn = prepared(model, &case.primitive)
-                .is_some_and(|primitive| model.draw(&primitive, &mut picture).is_ok());
-            let pictures = undone.pictures.iter();
-            let agrees = |[covered, known]: &[Picture; 2]| drawn && picture.agrees(covered, known);
-            pictures.map(|picture| agrees(&picture.shown)).collect()
-        }
-        Answer::Records(records) => {
-            let mut seen = Recorded { model, records: Vec::new(), most: records.len() };
-            let drawn = model
-                .prepare(&case.primitive)
-                .is_ok_and(|primitive| model.draw(&primitive, &mut seen).is_ok());
-            vec![drawn && seen.records == *records]
-        }
-    }
-}
-
-/// Records as `eval` writes them; one more than wanted at most.
-struct Recorded<'a> {
-    model: &'a Model,
-    records: Vec<Vec<String>>,
-    most: usize,
-}
-
-impl Sink for Recorded<'_> {
-    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
-
-    fn wants_records(&self) -> bool {
-        true
-    }
-
-    fn record(&mut self, kind: usize, values: &[i64]) {
-        if self.records.len() > self.most {
-            return;
-        }
-        let mut text = String::new();
-        if let Some(registers) = self.model.registers() {
-            registers.push_record(kind, values, " ", &mut text);
-        }
-        self.records.push(text.split(' ').map(str::to_owned).collect());
-    }
-}
-
-/// A triangle of a root, ready for many words of depth. The machines of this search walk depth planes.
-struct Deep<'a> {
-    root: &'a Root,
-    triangle: LatticeTriangle,
-    z: [i128; 3],
-    grid: SampleGrid,
-}
-
-impl<'a> Deep<'a> {
-    /// None for a triangle without depth or area, or one that the machine refuses.
-    fn new(root: &'a Root, primitive: &scene::Primitive, depths: &[DepthConfig]) -> Option<Self> {
-        let scene::Primitive::Triangle(triangle) = primitive else { return None };
-        // All words have as many integer bits, which alone decide the codes of the vertices.
-        let profile = root.profile(None, depths.first().copied());
-        let triangle: LatticeTriangle = *Model::new(&profile).ok()?.snap(triangle).ok()?;
-        if triangle.area2() == 0 || !profile.form.walks_a_plane() {
-            return None;
-        }
-        let triangle = triangle.normalised();
-        Some(Self { root, z: triangle.z?, grid: profile.grid().ok()?, triangle })
-    }
-
-    /// The codes at pixels; none where these words cannot be.
-    fn codes<'b>(
-        &self,
-        depth: DepthConfig,
-        at: impl Iterator<Item = &'b (u32, u32)>,
-    ) -> Option<impl Iterator<Item = u64>> {
-        let vertex = &self.root.model.profile().vertex;
-        let depth = Depth::new(depth, vertex, Processor::default()).ok()?;
-        let plane = depth.plane(&self.triangle, self.z, &self.grid);
-        Some(at.map(move |(x, y)| depth.code(depth.held(&plane, *x, *y))))
-    }
-}
-
-/// Whether a machine with these words of depth gives the depth of a case.
-fn depth_agrees(root: &Root, depth: DepthConfig, case: &Case) -> bool {
-    let Answer::Picture { depth: expected, .. } = &case.answer else { return true };
-    expected.is_empty()
-        || Deep::new(root, &case.primitive, &[depth])
-            .and_then(|deep| {
-                Some(deep.codes(depth, expected.keys())?.eq(expected.values().copied()))
-            })
-            .unwrap_or(false)
 }

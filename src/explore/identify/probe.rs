@@ -1,7 +1,9 @@
 //! What to draw next: the triangle that splits what is left best. Spec clause `ID-6`.
 
+use super::agree::{flat, prepared};
+use super::deep::Deep;
 use super::narrow::Boxed;
-use super::{Deep, Identifier, Left, Picture, flat, prepared};
+use super::{Identifier, Left, Picture};
 use crate::case::Words;
 use crate::cover::EdgeWordConfig;
 use crate::model::Model;
