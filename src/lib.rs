@@ -118,6 +118,6 @@ mod spec {
         Interpolation "17-interpolation.md",
         Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md",
         Hardware "21-hardware.md", Registers "22-registers.md", Describe "23-describe.md",
-        Channels "24-channels.md"
+        Channels "24-channels.md", Envelope "26-envelope.md"
     );
 }

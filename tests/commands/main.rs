@@ -19,6 +19,7 @@ mod command;
 mod compare;
 mod coverage;
 mod dump_form;
+mod envelope;
 mod explore;
 mod explore_page;
 mod export;

@@ -14,6 +14,7 @@ mod set;
 mod accuracy;
 mod channels;
 mod depth_format;
+mod envelope;
 mod exact;
 mod exhaustive;
 mod extremes;
