@@ -98,16 +98,17 @@ fn position(v: Fine, at: [i128; 2]) -> Position {
 
 /// The twin of a triangle's envelope: whether some rasterizer covers each pixel, and whether some does not.
 fn twin(family: &Family, fine: &Fine) -> Vec<Class> {
+    let placed: Vec<(u32, Fine)> =
+        family.ways.iter().map(|way| (way.bits, snapped(fine, *way))).collect();
     let of = |pixel| {
         let (mut covered, mut missed) = (false, false);
-        for way in &family.ways {
-            let placed = snapped(fine, *way);
-            let at = sample(way.bits, pixel);
+        for (bits, placed) in &placed {
+            let at = sample(*bits, pixel);
             let (can, need) = if family.api == Api::D3d11 {
-                let covered = covers(placed, at, FillRule::TopLeft);
+                let covered = covers(*placed, at, FillRule::TopLeft);
                 (covered, covered)
             } else {
-                let at = position(placed, at);
+                let at = position(*placed, at);
                 (at != Position::Outside, at == Position::Inside)
             };
             covered |= can;
@@ -143,7 +144,9 @@ fn agrees_with_the_twin(cases: std::ops::Range<u64>) -> [u64; 3] {
             alone[(y * SIDE + x) as usize] = class;
         }
         assert_eq!(alone, want, "case {index}, alone");
-        want.iter().for_each(|class| seen[*class as usize] += 1);
+        for class in &want {
+            seen[*class as usize] += 1;
+        }
     }
     seen
 }
@@ -237,9 +240,11 @@ fn the_model_in_each_way_stays_in_the_envelope() {
 /// Clauses EN-5 and EN-6: of triangles around a sample exactly one has it, whatever the rule.
 #[test]
 fn a_sample_inside_a_fan_is_covered_once() {
-    // Six corners around (2.5, 2.5); all on the coarsest grid.
-    let ring = [[4.0, 2.5], [3.5, 4.0], [1.5, 3.5], [1.0, 2.5], [2.0, 1.0], [3.0, 1.5]];
-    let fan: Vec<Shape> = (0..6).map(|n| [[2.5, 2.5], ring[n], ring[(n + 1) % 6]]).collect();
+    // Six corners around (2.5, 2.5) in halves of a pixel, clockwise; all on the coarsest grid.
+    let ring = [[8, 5], [7, 8], [3, 7], [2, 5], [4, 2], [6, 3]];
+    let halves: Vec<Fine> = (0..6).map(|n| [[5, 5], ring[n], ring[(n + 1) % 6]]).collect();
+    let fan: Vec<Shape> =
+        halves.iter().map(|fine| fine.map(|vertex| vertex.map(|half| half as f64 / 2.0))).collect();
     let family = family(Api::OpenGl, None);
     let class = |scene: &[Shape]| {
         let envelope = Envelope::of(&family, scene, WINDOW, 2).unwrap();
@@ -251,17 +256,14 @@ fn a_sample_inside_a_fan_is_covered_once() {
         assert_eq!(class(&[less.remove(n)]), Class::May, "one triangle of the fan");
         assert_eq!(class(&less), Class::May, "all but one");
     }
-    // With directions in all triangles of the fan, each of a turn of rules gives the sample to exactly one.
+    // Rules in every direction give the sample to one triangle of the fan.
     for [x, y] in [[1, 0], [3, 1], [-2, 5], [-7, -1], [1, -9]] {
         let rule = Rule { toward: [x, y], then: [-y, x] };
-        let owners = fan.iter().filter(|triangle| {
-            // Clockwise on the screen, y down: positive area.
-            let at = |n: usize| triangle[n].map(|value| (value * 2.0) as i128);
-            let [first, second] = [[0, 1], [2, 0]].map(|[from, to]| {
-                let [from, to] = [at(from), at(to)];
-                [to[0] - from[0], to[1] - from[1]]
-            });
-            rule.owns(first) && rule.owns(second)
+        let owners = halves.iter().filter(|v| {
+            // The edges that meet at the sample; the area is positive.
+            let edges = [[0, 1], [2, 0]]
+                .map(|[from, to]: [usize; 2]| [v[to][0] - v[from][0], v[to][1] - v[from][1]]);
+            edges.iter().all(|edge| rule.owns(*edge))
         });
         assert_eq!(owners.count(), 1, "{rule}");
     }

@@ -259,7 +259,7 @@ impl Robust {
         let moves: Vec<String> = by
             .iter()
             .enumerate()
-            .filter(|(_, by)| **by != [0.0; 2])
+            .filter(|(_, by)| by.iter().any(|distance| *distance != 0.0))
             .map(|(n, [x, y])| format!("vertex {n} by ({x}, {y})"))
             .collect();
         writeln!(text, "  robust: {distance} pixels are enough: {}", moves.join(", "))?;

@@ -97,12 +97,10 @@ fn reduced([x, y]: [i128; 2]) -> [i128; 2] {
 
 impl fmt::Display for Rule {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match Self::NAMED.iter().find(|(rule, _)| rule == self) {
-            Some((_, name)) => f.write_str(name),
-            None => {
-                let [[x, y], [u, v]] = [self.toward, self.then];
-                write!(f, "toward ({x}, {y}) then ({u}, {v})")
-            }
+        if let Some((_, name)) = Self::NAMED.iter().find(|(rule, _)| rule == self) {
+            return f.write_str(name);
         }
+        let [[x, y], [u, v]] = [self.toward, self.then];
+        write!(f, "toward ({x}, {y}) then ({u}, {v})")
     }
 }
