@@ -21,7 +21,7 @@ pub struct Wrong {
 pub struct Verdict {
     /// Every wrong pixel, by rows.
     pub wrong: Vec<Wrong>,
-    /// A rasterizer that draws the whole picture.
+    /// A rasterizer that draws the whole picture: the first whose rule has a name, or else the first.
     pub drawn_by: Option<Rasterizer>,
     /// In how many ways the picture can be drawn, each with some rule.
     pub ways: usize,
@@ -57,7 +57,10 @@ pub fn check(
         for way in &family.ways {
             let drawn = Picture::of(family, *way, shapes, window);
             if let Some(rule) = explain(family, &drawn, covered) {
-                verdict.drawn_by.get_or_insert(Rasterizer { way: *way, rule });
+                let old = verdict.drawn_by.map(|old| old.rule.is_named());
+                if old.is_none_or(|named| !named && rule.is_named()) {
+                    verdict.drawn_by = Some(Rasterizer { way: *way, rule });
+                }
                 verdict.ways += 1;
             }
         }
