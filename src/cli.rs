@@ -5,6 +5,7 @@ mod budget;
 mod claims;
 mod compare;
 mod diff;
+mod envelope;
 mod equivalence;
 mod eval;
 mod explore;
@@ -47,6 +48,7 @@ enum Command {
     Claims(claims::Arguments),
     Compare(compare::Arguments),
     Diff(diff::Arguments),
+    Envelope(envelope::Arguments),
     Eval(eval::Arguments),
     Explore(explore::Arguments),
     Export(export::Arguments),
@@ -98,6 +100,7 @@ pub fn main(machines: &[guardbit::machine::Own]) -> ExitCode {
         Command::Claims(arguments) => claims::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Diff(arguments) => diff::run(&arguments),
+        Command::Envelope(arguments) => envelope::run(&arguments),
         Command::Eval(arguments) => eval::run(&arguments),
         Command::Explore(arguments) => explore::run(&arguments),
         Command::Export(arguments) => export::run(&arguments),

@@ -119,6 +119,7 @@ mod spec {
         Multisample "18-multisample.md", Machines "19-machines.md", Traversal "20-traversal.md",
         Hardware "21-hardware.md", Registers "22-registers.md", Describe "23-describe.md",
         Channels "24-channels.md",
-        Identify "25-identify.md"
+        Identify "25-identify.md",
+        Envelope "26-envelope.md"
     );
 }

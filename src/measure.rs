@@ -5,6 +5,7 @@ pub mod accuracy;
 pub mod budget;
 pub mod comparison;
 pub mod cost;
+pub mod envelope;
 pub mod error;
 #[cfg(feature = "laboratory")]
 pub mod experiment;

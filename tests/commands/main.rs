@@ -20,6 +20,7 @@ mod compare;
 mod coverage;
 mod depth_bias;
 mod dump_form;
+mod envelope;
 mod explore;
 mod explore_page;
 mod export;

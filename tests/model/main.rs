@@ -15,6 +15,7 @@ mod accuracy;
 mod channels;
 mod depth_bias;
 mod depth_format;
+mod envelope;
 mod exact;
 mod exhaustive;
 mod extremes;

@@ -1,0 +1,135 @@
+//! Pictures of a window, in and out.
+
+use crate::cli::failure::Failure;
+use crate::cli::heat::{BACKGROUND, Colour};
+use crate::cli::output::write_whole;
+use guardbit::measure::envelope::{Class, Envelope, EnvelopeError};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
+use std::path::Path;
+
+const MUST: Colour = [60, 160, 90];
+const MAY: Colour = [225, 190, 60];
+
+/// Which pixels a device covered.
+pub(super) struct Covered {
+    pub(super) size: (u32, u32),
+    /// By rows.
+    pub(super) pixels: Vec<bool>,
+}
+
+/// Reads a PNG, or the answers of `eval`.
+pub(super) fn read(path: &Path, window: (u32, u32)) -> Result<Covered, Failure> {
+    let name = path.display().to_string();
+    let failed = |error: &std::io::Error| Failure::io(&name, error);
+    let mut file = BufReader::new(File::open(path).map_err(|error| failed(&error))?);
+    let start = file.fill_buf().map_err(|error| failed(&error))?;
+    if start.starts_with(b"\x89PNG") {
+        read_png(file, &name, window)
+    } else {
+        read_answers(file, &name, window)
+    }
+}
+
+fn read_png(file: BufReader<File>, name: &str, window: (u32, u32)) -> Result<Covered, Failure> {
+    let bad = |error: png::DecodingError| Failure::input(format!("{name}: {error}"));
+    let mut decoder = png::Decoder::new(file);
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(bad)?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    if (width, height) != window {
+        let error = EnvelopeError::Size { width, height, window };
+        return Err(Failure::input(format!("{name}: {error}")));
+    }
+    let size = reader.output_buffer_size().unwrap_or(0);
+    let mut bytes = vec![0; size];
+    let frame = reader.next_frame(&mut bytes).map_err(bad)?;
+    let channels = frame.color_type.samples();
+    // Alpha is no colour: what a device drew in black is not seen, however opaque.
+    let colours = if channels % 2 == 0 { channels - 1 } else { channels };
+    let rows = bytes.chunks_exact(frame.line_size.max(1)).take(height as usize);
+    let pixels = rows
+        .flat_map(|row| row.chunks_exact(channels).take(width as usize))
+        .map(|pixel| pixel[..colours].iter().any(|byte| *byte != 0))
+        .collect();
+    Ok(Covered { size: (width, height), pixels })
+}
+
+/// An answer of `eval`; its other members do not matter here.
+#[derive(serde::Deserialize)]
+struct Answer {
+    rows: Option<Vec<[u32; 3]>>,
+    error: Option<String>,
+}
+
+fn read_answers(file: impl BufRead, name: &str, window: (u32, u32)) -> Result<Covered, Failure> {
+    let mut pixels = vec![false; window.0 as usize * window.1 as usize];
+    let mut answers = 0;
+    for (n, line) in file.lines().enumerate() {
+        let place = format!("{name}: line {}", n + 1);
+        let line = line.map_err(|error| match error.kind() {
+            std::io::ErrorKind::InvalidData => Failure::input(format!(
+                "{place}: neither a PNG nor UTF-8 text; give a PNG or the answers of `guardbit eval`"
+            )),
+            _ => Failure::io(name, &error),
+        })?;
+        if line.trim().is_empty() {
+            continue;
+        }
+        let answer: Answer = serde_json::from_str(&line).map_err(|error| {
+            Failure::input(format!("{place}: {error}"))
+                .hint("a picture is a PNG, or JSON Lines with \"rows\": [[y, x0, x1], ...]")
+        })?;
+        if let Some(error) = answer.error {
+            return Err(Failure::input(format!("{place}: the device answered an error: {error}")));
+        }
+        let rows = answer.rows.ok_or_else(|| {
+            Failure::input(format!("{place}: the field `rows` is missing: [[y, x0, x1], ...]"))
+        })?;
+        for [y, x0, x1] in rows {
+            if x0 > x1 || x1 > window.0 || y >= window.1 {
+                return Err(Failure::input(format!(
+                    "{place}: the run [{y}, {x0}, {x1}] is not in the window: y < {} and x0 <= x1 <= {} are needed",
+                    window.1, window.0
+                )));
+            }
+            let row = y as usize * window.0 as usize;
+            pixels[row + x0 as usize..row + x1 as usize].fill(true);
+        }
+        answers += 1;
+    }
+    if answers == 0 {
+        return Err(Failure::input(format!(
+            "{name}: there is no picture; give a PNG or the answers of `guardbit eval`"
+        )));
+    }
+    Ok(Covered { size: window, pixels })
+}
+
+/// Writes a window as PNG, small windows enlarged to about 256 pixels; says by how much.
+pub(super) fn write(path: &Path, envelope: &Envelope) -> Result<u32, Failure> {
+    let (width, height) = envelope.window;
+    let zoom = (256 / width.max(height)).max(1);
+    let colours: Vec<Colour> = envelope
+        .classes()
+        .map(|class| match class {
+            Class::Must => MUST,
+            Class::May => MAY,
+            Class::MustNot => BACKGROUND,
+        })
+        .collect();
+    let times = zoom as usize;
+    let mut data = Vec::with_capacity(colours.len() * 3 * times * times);
+    for row in colours.chunks_exact(width as usize) {
+        let wide: Vec<u8> = row.iter().flat_map(|colour| colour.repeat(times)).collect();
+        data.extend(wide.repeat(times));
+    }
+    write_whole(path, |file| {
+        let mut encoder = png::Encoder::new(file, width * zoom, height * zoom);
+        encoder.set_color(png::ColorType::Rgb);
+        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
+        writer.write_image_data(&data).map_err(std::io::Error::other)?;
+        writer.finish().map_err(std::io::Error::other)
+    })?;
+    Ok(zoom)
+}
