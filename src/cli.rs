@@ -2,6 +2,7 @@
 //! of the library.
 
 mod budget;
+mod captured;
 mod claims;
 mod compare;
 mod diff;

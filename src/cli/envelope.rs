@@ -49,8 +49,8 @@ pub(crate) struct Arguments {
     /// How far --robust moves vertices at most, in pixels: a multiple of 1/16.
     #[arg(long, value_name = "PIXELS", default_value = "1", value_parser = parse_within)]
     within: u32,
-    /// Check a picture of the window: a PNG whose covered pixels are not black, or the answers of `eval` as JSON
-    /// Lines.
+    /// Check a picture of the window: the answers of `eval` as JSON Lines, or a PNG with one pixel for each of the
+    /// window (`render` needs --zoom 1), where black and the background of `render` are not covered.
     #[arg(long, value_name = "PICTURE")]
     check: Option<PathBuf>,
     /// Write the window as PNG: MUST is green, MAY is yellow, MUST NOT is dark.

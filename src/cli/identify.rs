@@ -4,6 +4,7 @@ mod device;
 mod report;
 
 use super::Outcome;
+use super::captured::covered;
 use super::failure::Failure;
 use super::output::{Output, write_text};
 use super::progress;
@@ -21,15 +22,17 @@ use std::time::Duration;
 ///
 /// A case is one JSON line: a triangle as `eval` takes it, with "f" in pixels, and the answer. The answer is
 /// "rows" and, with depth, "z", as `eval` writes them; or "png", a picture of the window in which every pixel
-/// that is not black is covered. "unknown": [[x0,y0,x1,y1], ...] and "scissor": [x0,y0,x1,y1] say about which
-/// pixels nothing is known. For a register-level base, a case has "words" and "out".
+/// is covered that is neither black nor the background of `render`. "unknown": [[x0,y0,x1,y1], ...]
+/// and "scissor": [x0,y0,x1,y1] say about which pixels nothing is known. For a register-level base, a case has
+/// "words" and "out".
 ///
 /// Sub-pixel bits, snapping, sample position, fill rule, storage and width of edge words are found, and of depth
 /// the interpolation bits, rounding, start and division. Dithered and blended pictures are not understood: give
 /// which pixels are covered.
 ///
-/// Exit status 1 if nothing fits.
+/// Exit status 1 if nothing fits, 2 if the device fails.
 #[derive(Debug, clap::Args)]
+#[allow(clippy::struct_excessive_bools, reason = "each is a flag of the command")]
 pub(crate) struct Arguments {
     /// The captures: a JSON Lines file.
     #[arg(long, value_name = "FILE")]
@@ -38,6 +41,9 @@ pub(crate) struct Arguments {
     /// bits if there is depth.
     #[arg(long, value_name = "PROFILE", default_value = "sgi-4k")]
     base: String,
+    /// Leave depth out of the search, for a machine that takes no depth.
+    #[arg(long)]
+    no_depth: bool,
     /// Window of the captures as WIDTHxHEIGHT.
     #[arg(long, value_parser = super::parse_size, default_value = "64x64")]
     window: (u32, u32),
@@ -129,10 +135,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Vec::new()
     };
     let next = (arguments.next && identifier.left() > 0).then(|| identifier.next(arguments.seed));
-    if let (Some(path), Some(found)) = (&arguments.profile_out, identifier.found(1).first()) {
+    let learned = arguments.profile_out.as_ref().filter(|_| !all.is_empty());
+    if let (Some(path), Some(found)) = (learned, identifier.found(1).first()) {
         write_text(path, &found.profile.to_toml())?;
     }
     let mut output = Output::new();
+    // A device that fails is an error, whatever was learned before.
+    let failed = stopped.as_ref().is_some_and(|stopped| stopped.starts_with("probe "));
     let report = report::Report { identifier: &identifier, cases: &all, conflict, next, stopped };
     if arguments.json {
         report.json(&mut output)?;
@@ -140,7 +149,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         report.print(&mut output)?;
     }
     output.flush()?;
-    Ok(if identifier.left() == 0 { Outcome::Mismatch } else { Outcome::Good })
+    Ok(match (identifier.left(), failed) {
+        (0, _) => Outcome::Mismatch,
+        (_, true) => Outcome::BadInput,
+        _ => Outcome::Good,
+    })
 }
 
 fn hypotheses(arguments: &Arguments) -> Result<Hypotheses, Failure> {
@@ -152,6 +165,10 @@ fn hypotheses(arguments: &Arguments) -> Result<Hypotheses, Failure> {
         )));
     }
     (base.window.width, base.window.height) = (width, height);
+    if arguments.no_depth {
+        (base.depth, base.w) = (None, None);
+        base.channel.clear();
+    }
     base.validate().map_err(Failure::input)?;
     if let Some(changes) = arguments.near {
         return Ok(Hypotheses::near(base, changes));
@@ -174,34 +191,15 @@ fn read(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
     let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     let cases = reading(arguments, folder).cases(&name, &text).map_err(Failure::input)?;
-    if cases.is_empty() {
+    if cases.is_empty() && !arguments.next && arguments.device.is_none() {
         return Err(Failure::input(format!("{name}: the file has no case")));
     }
     Ok(cases)
 }
 
-/// The pixels of a picture that are not black and not transparent.
 fn picture(path: &Path) -> Result<Pixels, String> {
     let file = std::fs::File::open(path).map_err(|error| error.to_string())?;
-    let mut decoder = png::Decoder::new(std::io::BufReader::new(file));
-    decoder.set_transformations(png::Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
-    let (width, height) = (reader.info().width, reader.info().height);
-    if u64::from(width) * u64::from(height) > 1 << 20 {
-        return Err(format!("{width} x {height}: a picture has at most 2^20 pixels"));
-    }
-    let mut bytes = vec![0; reader.output_buffer_size().ok_or("the picture is too large")?];
-    let info = reader.next_frame(&mut bytes).map_err(|error| error.to_string())?;
-    let channels = info.color_type.samples();
-    let covered = |pixel: &[u8]| {
-        let (colour, alpha) = match channels {
-            2 | 4 => (&pixel[..channels - 1], pixel[channels - 1]),
-            _ => (pixel, 255),
-        };
-        alpha > 0 && colour.iter().any(|part| *part > 0)
-    };
-    let pixels = bytes[..info.buffer_size()].chunks_exact(channels).map(covered);
-    Ok((pixels.collect(), (width, height)))
+    covered(std::io::BufReader::new(file))
 }
 
 /// Asks a device until nothing splits what is left; why it stopped before that.
@@ -232,7 +230,7 @@ fn ask(
         let joined = match join(&line, &answer) {
             Ok(joined) => joined,
             Err(why) => {
-                stopped = Some(format!("probe {id}: the device answered {answer:?}: {why}"));
+                stopped = Some(format!("probe {id}: the device answered {why}"));
                 break;
             }
         };
@@ -261,17 +259,28 @@ fn ask(
     Ok(stopped)
 }
 
+/// Whether the vertices of a line have three numbers.
+fn line_has_depth(line: &str) -> bool {
+    let value: serde_json::Value = serde_json::from_str(line).unwrap_or_default();
+    value["f"][0].as_array().is_some_and(|vertex| vertex.len() == 3)
+}
+
 /// A triangle and its answer as one case.
 fn join(line: &str, answer: &str) -> Result<String, String> {
     let object = |text: &str| -> Result<serde_json::Map<String, serde_json::Value>, String> {
-        serde_json::from_str(text).map_err(|error| error.to_string())
+        serde_json::from_str(text).map_err(|error| format!("{text:?}: {error}"))
     };
     let (mut case, answer) = (object(line)?, object(answer)?);
     if let Some(error) = answer.get("error") {
-        return Err(format!("an error: {error}"));
+        let hint = "; for a device that takes no depth, give --no-depth";
+        let text = error.as_str().unwrap_or("an error");
+        return Err(format!(
+            "with an error: {text}{}",
+            if line_has_depth(line) { hint } else { "" }
+        ));
     }
     if answer.get("id") != case.get("id") {
-        return Err("the id is that of another line".to_owned());
+        return Err("with the id of another line".to_owned());
     }
     case.extend(answer);
     Ok(serde_json::Value::from(case).to_string())

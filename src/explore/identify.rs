@@ -38,6 +38,8 @@ pub struct Identifier {
     counts: [u64; 2],
     /// Cases whose depth waits until few machines are left.
     waiting: Vec<Case>,
+    /// Cases taken, and those that told of depth.
+    taken: [u64; 2],
 }
 
 /// Depth is looked at when no more machines are left than this: for each there are thousands of words.
@@ -88,7 +90,7 @@ impl Identifier {
         });
         let left: Vec<Left> = left.collect();
         let counts = [machines, depths.len() as u64];
-        Self { captures, wrong, depths, left, counts, waiting: Vec::new() }
+        Self { captures, wrong, depths, left, counts, waiting: Vec::new(), taken: [0; 2] }
     }
 
     /// Hypotheses at the start: machines with their edge words, and words of depth for each.
@@ -124,7 +126,9 @@ impl Identifier {
         self.left.retain(|left| left.fails.iter().any(|fails| *fails <= wrong));
         if matches!(&case.answer, Answer::Picture { depth, .. } if !depth.is_empty()) {
             self.waiting.push(case.clone());
+            self.taken[1] += 1;
         }
+        self.taken[0] += 1;
         if self.left.len() > FEW || self.depths.is_empty() {
             return;
         }
@@ -136,24 +140,46 @@ impl Identifier {
         }
     }
 
+    /// Whether depth is asked about: not where cases came and none of them told of it.
+    fn asks_depth(&self) -> bool {
+        !self.depths.is_empty() && (self.taken[0] == 0 || self.taken[1] > 0)
+    }
+
+    /// How many captures each picture can have gone through.
+    pub const fn captures(&self) -> usize {
+        self.captures.len()
+    }
+
+    /// How many cases may be wrong.
+    pub const fn wrong(&self) -> u8 {
+        self.wrong
+    }
+
     /// Whether depth was not looked at, because too many machines are left.
     pub fn depth_waits(&self) -> bool {
         !self.waiting.is_empty() && !self.depths.is_empty()
     }
 
-    /// What is left, one by one, at most so many. As long as no case told of depth, the words of depth are all that
+    /// What is left, one by one, at most so many; of each machine, the widest words first: they are right for
+    /// triangles that reach beyond the window, too. As long as no case told of depth, the words of depth are all that
     /// are thought of.
     pub fn found(&self, most: usize) -> Vec<Found> {
         let mut found = Vec::new();
         for left in self.inside() {
-            for (variant, capture) in left.alive(self.captures.len(), self.wrong) {
+            let alive: Vec<_> = left.alive(self.captures.len(), self.wrong).collect();
+            for (variant, capture) in alive.into_iter().rev() {
                 for depth in left.depths(&self.depths, self.wrong) {
                     if found.len() == most {
                         return found;
                     }
+                    let words = left.root.words.get(variant).copied();
+                    let mut profile = left.root.profile(words, depth);
+                    "identified".clone_into(&mut profile.name);
+                    "Agrees with the captures of an unknown rasterizer."
+                        .clone_into(&mut profile.about);
                     found.push(Found {
                         fields: left.root.fields.clone(),
-                        profile: left.root.profile(left.root.words.get(variant).copied(), depth),
+                        profile,
                         capture: self.captures[capture],
                     });
                 }
@@ -179,8 +205,8 @@ impl Identifier {
             }
             for (variant, capture) in left.alive(self.captures.len(), self.wrong) {
                 if let Some(EdgeWordConfig { storage, width, .. }) = left.root.words.get(variant) {
-                    note("storage", format!("{storage:?}").to_lowercase());
-                    note("width", width.to_string());
+                    let storage = format!("{storage:?}").to_lowercase();
+                    note(&format!("width, {storage}"), width.to_string());
                 }
                 if self.captures.len() > 1 {
                     note("picture", self.captures[capture].to_string());

@@ -207,12 +207,18 @@ fn a_device_that_does_not_answer_is_given_up() {
     for (device, says) in [
         ("sleep 60", "stopped: probe 1: no answer within 1 seconds"),
         ("true", "stopped: probe 1: the device"),
-        ("while read line; do echo '{\"id\": 7}'; done", "the id is that of another line"),
-        ("while read line; do echo '{\"error\": \"no\"}'; done", "an error: \"no\""),
+        (
+            "while read line; do echo '{\"id\": 7}'; done",
+            "the device answered with the id of another line",
+        ),
+        (
+            "while read line; do echo '{\"error\": \"no\"}'; done",
+            "the device answered with an error: no",
+        ),
         (&once, "stopped: probe 2: no answer within 1 seconds; what was learned so far:\n"),
     ] {
         let (status, out) = ask(device);
-        assert_eq!(status, Some(0), "{device}: {out}");
+        assert_eq!(status, Some(2), "{device}: {out}");
         assert!(out.starts_with("stopped: ") && out.contains(says), "{device}: {out}");
     }
 }

@@ -29,6 +29,12 @@ fn base(depth: bool) -> Profile {
     base
 }
 
+/// Whether two profiles are one rasterizer, whatever they are called.
+fn same(a: &Profile, b: &Profile) -> bool {
+    let unnamed = |p: &Profile| Profile { name: String::new(), about: String::new(), ..p.clone() };
+    unnamed(a) == unnamed(b)
+}
+
 /// What a machine answers to a probe.
 fn answer(model: &Model, probe: &Probe) -> Answer {
     let mut drawing = Drawing::default();
@@ -92,7 +98,7 @@ fn found_among_many(count: u64, seed: u64) {
         most = most.max(probes);
         assert!(identifier.left() > 0, "{n}: the machine itself agrees with what it answers");
         let left = identifier.found(usize::MAX);
-        assert!(left.iter().any(|found| found.profile == *machine), "{n}");
+        assert!(left.iter().any(|found| same(&found.profile, machine)), "{n}");
         // What is left draws what the machine draws, on triangles that nobody asked about.
         let mut wrong = 0;
         for t in 0..400 {
@@ -168,8 +174,13 @@ fn depths_found(count: u64, most: usize, seed: u64) -> u64 {
             let Next::Draw(probe) = identifier.next(seed + 1000 * n + probes) else { break };
             let mut case = case(&model, &probe, 0);
             let Answer::Picture { depth, .. } = &mut case.answer else { unreachable!() };
-            // The pixels that tell most are read, and of a triangle that tells about coverage, none.
-            depth.retain(|at, _| probe.pixels.iter().take(most - samples).any(|pixel| pixel == at));
+            // The pixels that tell most are read, and of a triangle that tells about coverage, one.
+            let first = depth.first_key_value().map(|(at, _)| *at);
+            let read: Vec<_> = match probe.pixels.len() {
+                0 => first.into_iter().collect(),
+                _ => probe.pixels.iter().copied().take(most - samples).collect(),
+            };
+            depth.retain(|at, _| read.contains(at));
             samples += depth.len();
             probes += 1;
             identifier.observe(&case);
@@ -247,7 +258,7 @@ fn register_machines_are_found_among_their_decisions() {
         }
         let left = identifier.found(usize::MAX);
         eprintln!("{name}: {} of {all} left", left.len());
-        assert!(left.iter().any(|found| found.profile == profile), "{name}");
+        assert!(left.iter().any(|found| same(&found.profile, &profile)), "{name}");
         // Small triangles fit any word of vortex, and show nothing of its tiles.
         assert!((left.len() as u64) < all || name == "vortex", "{name}");
         // What is left draws what the machine draws, on cases that were held back.

@@ -1,5 +1,6 @@
 //! Pictures of a window, in and out.
 
+use crate::cli::captured::covered;
 use crate::cli::failure::Failure;
 use crate::cli::heat::{BACKGROUND, Colour};
 use crate::cli::output::write_whole;
@@ -32,27 +33,14 @@ pub(super) fn read(path: &Path, window: (u32, u32)) -> Result<Covered, Failure> 
 }
 
 fn read_png(file: BufReader<File>, name: &str, window: (u32, u32)) -> Result<Covered, Failure> {
-    let bad = |error: png::DecodingError| Failure::input(format!("{name}: {error}"));
-    let mut decoder = png::Decoder::new(file);
-    decoder.set_transformations(png::Transformations::normalize_to_color8());
-    let mut reader = decoder.read_info().map_err(bad)?;
-    let (width, height) = (reader.info().width, reader.info().height);
-    if (width, height) != window {
+    let (pixels, size) =
+        covered(file).map_err(|error| Failure::input(format!("{name}: {error}")))?;
+    if size != window {
+        let (width, height) = size;
         let error = EnvelopeError::Size { width, height, window };
         return Err(Failure::input(format!("{name}: {error}")));
     }
-    let size = reader.output_buffer_size().unwrap_or(0);
-    let mut bytes = vec![0; size];
-    let frame = reader.next_frame(&mut bytes).map_err(bad)?;
-    let channels = frame.color_type.samples();
-    // Alpha is no colour: what a device drew in black is not seen, however opaque.
-    let colours = if channels % 2 == 0 { channels - 1 } else { channels };
-    let rows = bytes.chunks_exact(frame.line_size.max(1)).take(height as usize);
-    let pixels = rows
-        .flat_map(|row| row.chunks_exact(channels).take(width as usize))
-        .map(|pixel| pixel[..colours].iter().any(|byte| *byte != 0))
-        .collect();
-    Ok(Covered { size: (width, height), pixels })
+    Ok(Covered { size, pixels })
 }
 
 /// An answer of `eval`; its other members do not matter here.

@@ -205,6 +205,10 @@ impl Listed {
         for Differ { x, y, covered_by, missed_by } in &self.pixels {
             writeln!(text, "  ({x}, {y}): covered with {covered_by}; not with {missed_by}")?;
         }
+        let more = (self.may as usize).saturating_sub(self.pixels.len());
+        if more > 0 {
+            writeln!(text, "  and {more} more MAY pixels; --png shows all")?;
+        }
         if let Some(Distance { x, y, pixels }) = &self.margin {
             writeln!(
                 text,

@@ -45,9 +45,13 @@ impl Report<'_> {
     pub(super) fn print(&self, output: &mut Output) -> Result<(), Failure> {
         let identifier = self.identifier;
         let [machines, depths] = identifier.counts();
+        let machines = match identifier.captures() {
+            1 => format!("{machines} machines"),
+            captures => format!("{} pairs of a machine and a capture", machines * captures as u64),
+        };
         let of = match depths {
-            0 => format!("{machines} machines"),
-            _ => format!("{machines} machines with {depths} words of depth each"),
+            0 => machines,
+            _ => format!("{machines} with {depths} words of depth each"),
         };
         let (left, cases) = (identifier.left(), self.cases.len());
         if let Some(why) = &self.stopped {
@@ -56,23 +60,31 @@ impl Report<'_> {
         if left == 0 {
             output.line(format!("nothing fits: none of {of} agrees with all {cases} cases"))?;
             if !self.conflict.is_empty() {
-                let count = self.conflict.len();
+                let these = match self.conflict.len() {
+                    1 => "this case alone".to_owned(),
+                    count => format!("these {count} cases together"),
+                };
                 output.line(format!(
-                    "{count} of the cases leave nothing by themselves, and without any one of them something is left:"
+                    "no machine agrees with {these}; leave out any one of this list, and some machine agrees with the rest of it:"
                 ))?;
                 for name in self.names(&self.conflict) {
                     output.line(format!("  {name}"))?;
                 }
             }
             return output.line(
-                "the machine decides something else, or a case is wrong: --wrong N allows wrong cases, --vary and --base try other machines",
+                "the machine decides something else, a case is wrong (--wrong N), or the pictures were moved or mirrored (--shift, --mirror); \
+                 --vary and --base try other machines",
             );
         }
         let words = match identifier.depths_left() {
             0 => String::new(),
             words => format!(", with {words} words of depth"),
         };
-        output.line(format!("{left} of {of} agree with {cases} cases{words}"))?;
+        let but = match identifier.wrong() {
+            0 => String::new(),
+            wrong => format!(", of which at most {wrong} may be wrong"),
+        };
+        output.line(format!("{left} of {of} agree with {cases} cases{but}{words}"))?;
         output.line("")?;
         for Decided { name, values } in identifier.decided() {
             let open = if values.len() > 1 { "   not decided" } else { "" };
@@ -107,7 +119,7 @@ impl Report<'_> {
         }
         if let Some(found) = identifier.found(1).first() {
             output.line("")?;
-            output.line("one of them as a profile:")?;
+            output.line("one of them as a profile, with the widest words that are left:")?;
             output.line("")?;
             output.text(found.profile.to_toml())?;
         }

@@ -141,7 +141,9 @@ impl Identifier {
             machines.extend(variants.into_iter().map(|variant| (left, variant)));
         }
         // Depth waits until few machines are left, and then one stands for all: they differ in ties.
-        if let (Some(left), true) = (self.inside().next(), self.left.len() <= ALIKE) {
+        if let (Some(left), true) =
+            (self.inside().next(), self.asks_depth() && self.left.len() <= ALIKE)
+        {
             let own = left.depths(&self.depths, self.wrong).into_iter().flatten();
             depths.extend(own.map(|depth| (left, depth)));
         }
@@ -187,7 +189,7 @@ impl Identifier {
             // The end of the window is inside the vertex field.
             [moved[0].clamp(0.0, f64::from(width)), moved[1].clamp(0.0, f64::from(height))]
         });
-        let depth = self.depths.first().map(|depth| {
+        let depth = self.depths.first().filter(|_| self.asks_depth()).map(|depth| {
             // Steep planes tell slopes apart, flat ones what is added at the start.
             let bits = 1 + words.draw() % u64::from(depth.integer.min(52));
             let top = f64::from(2u32).powi(i32::try_from(bits).unwrap_or(1)) - 1.0;
@@ -277,11 +279,9 @@ impl Tried<'_> {
         probe.expected = left;
         if self.depths.len() > 1 {
             let (answers, left) = self.split_depth(probe, size);
-            #[allow(clippy::cast_precision_loss, reason = "a few hundred")]
-            let part = left / self.depths.len() as f64;
             probe.answers = probe.answers.max(1) * answers;
             probe.tried *= self.depths.len();
-            probe.expected *= part;
+            probe.expected *= left;
         }
     }
 

@@ -94,8 +94,9 @@ pub enum EnvelopeError {
     },
     /// A picture of another size.
     #[error(
-        "the picture has {width} x {height} pixels, but the window has {} x {}; give --window {width}x{height}, or \
-         the picture of the whole window",
+        "the picture has {width} x {height} pixels, but the window has {} x {}; give --window \
+         {width}x{height}, or a picture with one pixel for each of the window: `render` enlarges small windows, unless it \
+         is given --zoom 1",
         window.0, window.1
     )]
     Size {

@@ -1,0 +1,31 @@
+//! Pictures that a device drew, as covered pixels.
+
+use super::heat::BACKGROUND;
+use guardbit::explore::identify::Pixels;
+use std::io::{BufRead, Seek};
+
+/// Most pixels that are read.
+const MOST: u64 = 1 << 26;
+
+/// Reads a PNG: a pixel is covered unless it is black or has the background of `render`. Alpha is no colour: what a
+/// device drew in black is not seen, however opaque.
+pub(crate) fn covered(file: impl BufRead + Seek) -> Result<Pixels, String> {
+    let mut decoder = png::Decoder::new(file);
+    decoder.set_transformations(png::Transformations::normalize_to_color8());
+    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
+    let (width, height) = (reader.info().width, reader.info().height);
+    if u64::from(width) * u64::from(height) > MOST {
+        return Err(format!("{width} x {height}: a picture has at most 2^26 pixels"));
+    }
+    let mut bytes = vec![0; reader.output_buffer_size().ok_or("the picture is too large")?];
+    let frame = reader.next_frame(&mut bytes).map_err(|error| error.to_string())?;
+    let channels = frame.color_type.samples();
+    let colours = if channels % 2 == 0 { channels - 1 } else { channels };
+    let is_covered = |pixel: &[u8]| {
+        let colour = &pixel[..colours];
+        colour != BACKGROUND && colour.iter().any(|part| *part > 0)
+    };
+    let rows = bytes.chunks_exact(frame.line_size.max(1)).take(height as usize);
+    let pixels = rows.flat_map(|row| row.chunks_exact(channels).take(width as usize));
+    Ok((pixels.map(is_covered).collect(), (width, height)))
+}
