@@ -2,7 +2,6 @@
 //! of the library.
 
 mod budget;
-mod captured;
 mod claims;
 mod compare;
 mod diff;
@@ -16,6 +15,7 @@ mod fit;
 mod heat;
 mod identify;
 mod output;
+mod pixels;
 mod plot;
 mod profile;
 mod progress;

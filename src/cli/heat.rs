@@ -125,7 +125,7 @@ pub(crate) fn gradient() -> String {
 }
 
 /// Rows of a legend in pixels.
-pub(crate) const LEGEND_ROWS: u32 = 32;
+const LEGEND_ROWS: u32 = 32;
 /// Pixels of a picture in which the marks do not touch each other.
 pub(crate) const LEGEND_LEAST: u32 = 192;
 const MARGIN: usize = 12;

@@ -4,9 +4,9 @@ mod device;
 mod report;
 
 use super::Outcome;
-use super::captured::covered;
 use super::failure::Failure;
 use super::output::{Output, write_text};
+use super::pixels::covered;
 use super::progress;
 use device::Device;
 use guardbit::explore::identify::{
@@ -176,7 +176,15 @@ fn hypotheses(arguments: &Arguments) -> Result<Hypotheses, Failure> {
     super::takes_primitives(&base).map_err(|failure| {
         failure.hint("--near N tries the profiles within N decisions of such a machine")
     })?;
-    Ok(Hypotheses::of(base, arguments.axes.clone()))
+    let hypotheses = Hypotheses::of(base, arguments.axes.clone());
+    if let Some(field) = hypotheses.unfit() {
+        let message = format!("--vary {}: identify takes this field from --base", field.name());
+        return Err(Failure::input(message).hint(
+            "it varies sub-pixel, snap, form, edge-width and other fields of coverage, and of depth \
+             interpolation, rounding, start-bias and reciprocal",
+        ));
+    }
+    Ok(hypotheses)
 }
 
 /// How the lines of this command are read.

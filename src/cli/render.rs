@@ -5,8 +5,9 @@ mod channel;
 
 use super::Outcome;
 use super::failure::Failure;
-use super::heat::{self, BACKGROUND, Colour, LEGEND_LEAST, LEGEND_ROWS, Scale, Seen};
-use super::output::{Output, write_whole};
+use super::heat::{self, BACKGROUND, Colour, LEGEND_LEAST, Scale, Seen};
+use super::output::Output;
+use super::pixels;
 use super::sets;
 use clap::ValueEnum;
 use guardbit::bits::{Event, SpanEvents};
@@ -159,13 +160,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let view = View { scissor: arguments.scissor, ..View::default() };
     let model = Model::with_view(&profile, view).map_err(Failure::input)?;
     let paint = channel::Paint::new(&profile, arguments)?;
-    let pixels = width as usize * height as usize;
+    let area = width as usize * height as usize;
     let mut canvas = Canvas {
         width,
-        colour: vec![BACKGROUND; pixels],
-        depth: vec![None; pixels],
-        hits: vec![0; pixels],
-        seen: vec![Seen::Nothing; pixels],
+        colour: vec![BACKGROUND; area],
+        depth: vec![None; area],
+        hits: vec![0; area],
+        seen: vec![Seen::Nothing; area],
     };
     let scene = sets::snap_scene(&profile, &arguments.scene)?;
     let summary = match paint {
@@ -180,7 +181,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         None => draw(&model, &scene.triangles, &mut canvas),
     };
     colour(arguments.show, &mut canvas);
-    write_png(arguments, &canvas, (width, height), zoom)?;
+    // A picture too narrow for the marks has no legend; its scale stands in what is printed.
+    let wide = width * zoom;
+    let legend = match arguments.show {
+        Show::Error if wide >= LEGEND_LEAST => heat::legend(canvas.scale(), wide as usize),
+        _ => Vec::new(),
+    };
+    pixels::write(&arguments.out, (&canvas.colour, width), zoom, &legend)?;
     let scale = match arguments.show {
         Show::Error => format!("; {}", canvas.scale().words()),
         _ => String::new(),
@@ -292,35 +299,4 @@ fn colour(show: Show, canvas: &mut Canvas) {
             }
         }
     }
-}
-
-fn write_png(
-    arguments: &Arguments,
-    canvas: &Canvas,
-    size: (u32, u32),
-    zoom: u32,
-) -> Result<(), Failure> {
-    let mut data = Vec::with_capacity(canvas.colour.len() * 3 * (zoom * zoom) as usize);
-    for row in canvas.colour.chunks_exact(size.0 as usize) {
-        for _ in 0..zoom {
-            for pixel in row {
-                for _ in 0..zoom {
-                    data.extend_from_slice(pixel);
-                }
-            }
-        }
-    }
-    let (width, mut height) = (size.0 * zoom, size.1 * zoom);
-    // A picture too narrow for the marks has none; its scale stands in what is printed.
-    if arguments.show == Show::Error && width >= LEGEND_LEAST {
-        data.extend(heat::legend(canvas.scale(), width as usize).into_iter().flatten());
-        height += LEGEND_ROWS;
-    }
-    write_whole(&arguments.out, |file| {
-        let mut encoder = png::Encoder::new(file, width, height);
-        encoder.set_color(png::ColorType::Rgb);
-        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
-        writer.write_image_data(&data).map_err(std::io::Error::other)?;
-        writer.finish().map_err(std::io::Error::other)
-    })
 }

@@ -178,6 +178,23 @@ impl EdgeWords {
         Unreduced::new(self.start[k] + self.dx[k] * x + self.dy[k] * y, self.fraction)
     }
 
+    /// Bits that hold the three edges at every pixel of a box `[x0, y0, x1, y1]`: E is linear, so its extremes lie
+    /// on the corners. 1 for an empty box.
+    pub fn bits_over(&self, [x0, y0, x1, y1]: [u32; 4]) -> u32 {
+        if x0 >= x1 || y0 >= y1 {
+            return 1;
+        }
+        let [x0, y0, x1, y1] = [x0, y0, x1 - 1, y1 - 1].map(i128::from);
+        let mut magnitude = 0;
+        for k in 0..3 {
+            for (x, y) in [(x0, y0), (x1, y0), (x0, y1), (x1, y1)] {
+                let value = self.at(k, x, y).raw();
+                magnitude |= value ^ (value >> 127);
+            }
+        }
+        1 + i128::BITS - magnitude.leading_zeros()
+    }
+
     /// The words at pixel (x, y), left-justified in a lane: reduced mod 2^width.
     pub fn lanes<L: Lane>(&self, x: u32, y: u32) -> Edges<L> {
         let word = |value: i128| L::justify(value, self.width);

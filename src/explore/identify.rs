@@ -58,8 +58,6 @@ struct Left {
 /// A rasterizer that agrees with the cases.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// Its decisions, in words.
-    pub fields: Vec<(String, String)>,
     /// The profile.
     pub profile: Profile,
     /// What the capture did to its pictures.
@@ -177,11 +175,7 @@ impl Identifier {
                     "identified".clone_into(&mut profile.name);
                     "Agrees with the captures of an unknown rasterizer."
                         .clone_into(&mut profile.about);
-                    found.push(Found {
-                        fields: left.root.fields.clone(),
-                        profile,
-                        capture: self.captures[capture],
-                    });
+                    found.push(Found { profile, capture: self.captures[capture] });
                 }
             }
         }

@@ -1,10 +1,8 @@
 //! Channels by the command: `eval`, a set, and dumps of devices with typical faults.
 
-use crate::run::{guardbit, run_in};
+use crate::run::{pipe_in, run_in};
 use crate::set::tv_rows;
-use std::io::Write;
 use std::path::Path;
-use std::process::Stdio;
 
 /// A channel of 8 bits under the guard clamp, unless `rest` says otherwise.
 pub(crate) fn channel(name: &str, components: &str, interpolation: u32, rest: &str) -> String {
@@ -48,16 +46,8 @@ fn profile(folder: &Path, name: &str, change: [&str; 2]) {
 }
 
 fn eval(folder: &Path, profile: &str, line: &str) -> (Option<i32>, String) {
-    let mut child = guardbit()
-        .args(["eval", profile])
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(line.as_bytes()).unwrap();
-    let output = child.wait_with_output().unwrap();
-    (output.status.code(), String::from_utf8(output.stdout).unwrap())
+    let ran = pipe_in(folder, &format!("eval {profile}"), line);
+    (ran.status, ran.out)
 }
 
 /// Clauses CH-2 to CH-5 at one sample, by hand: the triangle (0, 0), (8, 0), (0, 8) in halves of a pixel,

@@ -1,13 +1,11 @@
 //! The depth bias by the command: `eval`, sets, dumps and `explore`.
 
-use crate::run::{guardbit, run_in};
+use crate::run::{pipe_in, run_in};
 use crate::set::{tv_line, tv_rows};
 use guardbit::bits::Rounding;
 use guardbit::exact::{ratio, round};
 use num_traits::ToPrimitive;
-use std::io::Write;
 use std::path::Path;
-use std::process::Stdio;
 
 /// The toy with this table of a bias.
 fn profile(folder: &Path, name: &str, bias: &str) {
@@ -16,18 +14,9 @@ fn profile(folder: &Path, name: &str, bias: &str) {
 }
 
 fn eval(folder: &Path, profile: &str, lines: &str) -> (Option<i32>, Vec<serde_json::Value>) {
-    let mut child = guardbit()
-        .args(["eval", profile])
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    child.stdin.take().unwrap().write_all(lines.as_bytes()).unwrap();
-    let output = child.wait_with_output().unwrap();
-    let out = String::from_utf8(output.stdout).unwrap();
-    let answers = out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
-    (output.status.code(), answers)
+    let ran = pipe_in(folder, &format!("eval {profile}"), lines);
+    let answers = ran.out.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
+    (ran.status, answers)
 }
 
 /// Clause Z-7: a line's bias stands in place of the profile's for that line alone, in the steps of the stored

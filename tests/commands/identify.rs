@@ -1,10 +1,9 @@
 //! `guardbit identify`: a device on a pipe, cases in a file, and what they may be.
 #![allow(clippy::cast_precision_loss, reason = "parts of the window")]
 
-use crate::run::{guardbit, run_in};
+use crate::run::{guardbit, pipe_in, run_in};
 use std::fmt::Write as _;
 use std::path::Path;
-use std::process::Stdio;
 
 /// A hidden profile in a folder: sgi-4k without depth, changed.
 fn hide(folder: &Path, changes: &[[&str; 2]]) {
@@ -21,17 +20,8 @@ fn hide(folder: &Path, changes: &[[&str; 2]]) {
 
 /// What the hidden profile answers to lines, joined with them.
 fn capture(folder: &Path, lines: &[String]) -> Vec<serde_json::Value> {
-    let mut child = guardbit()
-        .args(["eval", "hidden.toml", "--window", "32x32"])
-        .current_dir(folder)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .unwrap();
-    std::io::Write::write_all(&mut child.stdin.take().unwrap(), lines.join("\n").as_bytes())
-        .unwrap();
-    let output = child.wait_with_output().unwrap();
-    let answers = String::from_utf8(output.stdout).unwrap();
+    let ran = pipe_in(folder, "eval hidden.toml --window 32x32", &lines.join("\n"));
+    let answers = ran.out;
     let joined = lines.iter().zip(answers.lines()).map(|(line, answer)| {
         let mut case: serde_json::Value = serde_json::from_str(line).unwrap();
         let answer: serde_json::Value = serde_json::from_str(answer).unwrap();
@@ -185,6 +175,9 @@ fn what_is_no_case_is_refused_with_its_line() {
     }
     run_in(home.path(), "identify").complains(2, &["nothing to go by"]);
     run_in(home.path(), &format!("{IDENTIFY} --cases none.jsonl")).complains(3, &["none.jsonl"]);
+    run_in(home.path(), "identify --next --vary guard=1").complains(2, &["guard", "--base"]);
+    run_in(home.path(), "identify --next --vary sub-pixel=30")
+        .complains(2, &["no hypothesis is a valid profile"]);
     run_in(home.path(), "identify --next --base ps1").complains(2, &["--near"]);
 }
 

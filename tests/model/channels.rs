@@ -8,6 +8,7 @@ mod reciprocal;
 mod refused;
 mod runs;
 
+use crate::toy::TOY;
 use guardbit::bits::Rounding;
 use guardbit::case::Words;
 use guardbit::cover::{DepthAt, MultisampleConfig, SampleConfig, SampleGrid};
@@ -22,25 +23,8 @@ const NEAREST: Rounding = Rounding::NearestEven;
 
 /// 8 x 8 pixels with four sub-pixel bits, codes of 4 bits, q of 5 bits.
 fn toy() -> Profile {
-    let text = r#"
-schema = 1
-name = "toy"
-[window]
-width = 8
-height = 8
-[vertex]
-integer = 3
-sub-pixel = 4
-signed = false
-closed = true
-snap = "nearest-even"
-source = "f64"
-endless = "refuse"
-[form.edge-function]
-rule = "top-left"
-storage = "shifted"
-width = 24
-[depth]
+    let text = TOY.to_owned()
+        + r#"[depth]
 guard = 1
 integer = 4
 interpolation = 6
@@ -63,7 +47,7 @@ rounding = "nearest-even"
 clamp = "guard"
 correction = { quotient = { rounding = "nearest-even" } }
 "#;
-    parse(text, "toy.toml").unwrap()
+    parse(&text, "toy.toml").unwrap()
 }
 
 fn with(correction: Correction, signed: bool) -> Profile {

@@ -290,6 +290,34 @@ impl Sink for Seen<'_> {
     }
 }
 
+/// Clause ID-1: an axis has the values that were asked for, and nothing else.
+#[test]
+fn axes_are_the_values_asked_for() {
+    let axes = [
+        "sub-pixel=4,6",
+        "snap=floor",
+        "edge-width=20,22",
+        "interpolation=3..5",
+        "rounding=floor,ceiling",
+        "start-bias=half",
+        "reciprocal=quotient,10",
+    ];
+    let parsed = |axes: &[&str]| axes.iter().map(|axis| Axis::parse(axis).unwrap()).collect();
+    let count = |axes: &[&str]| {
+        let hypotheses = Hypotheses::of(base(true), parsed(axes));
+        Identifier::new(&hypotheses, Capture::all(0, false), 0).counts()
+    };
+    // 2 grids, 64 samples, 2 rules, 2 widths in 2 storages; 3 fractions, 2 roundings, 2 divisions. With 4 and 6
+    // sub-pixel bits, eighths are on the grid and words of 22 bits hold less than the exact ones.
+    assert_eq!(count(&axes), [2 * 64 * 2 * 2 * 2, 3 * 2 * 2]);
+    let unfit = |axis: &str| Hypotheses::of(base(true), parsed(&[axis])).unfit().is_some();
+    assert_eq!(
+        [unfit("guard=1"), unfit("integer=16"), unfit("rounding=floor")],
+        [true, true, false]
+    );
+    assert!(!unfit("form=edge-walk,edge-function") && !unfit("vertex-integer=8"));
+}
+
 /// Clauses ID-3 and ID-6: the words of depth, and a space without the machine.
 #[test]
 fn hidden_depth_is_found_and_another_machine_is_not() {

@@ -34,3 +34,4 @@ mod proved_depth;
 mod rasterizers;
 mod require;
 mod snapshot;
+mod toy;

@@ -1,5 +1,6 @@
 //! What `prove` says of the depth of a machine, against the depth that the model draws.
 
+use crate::toy::TOY;
 use guardbit::bits::Rounding;
 use guardbit::case::Words;
 use guardbit::exact::{Rational, integer, ratio};
@@ -12,25 +13,8 @@ use guardbit::setup::Triangle;
 /// 8 x 8 pixels with four sub-pixel bits, depth of 4 bits. With a sign the vertices reach 32 pixels beyond the window's
 /// left and top, and 24 beyond its right and bottom.
 fn toy(machine: &str, signed: bool) -> Profile {
-    let text = r#"
-schema = 1
-name = "toy"
-[window]
-width = 8
-height = 8
-[vertex]
-integer = 3
-sub-pixel = 4
-signed = false
-closed = true
-snap = "nearest-even"
-source = "f64"
-endless = "refuse"
-[form.edge-function]
-rule = "top-left"
-storage = "shifted"
-width = 24
-[depth]
+    let text = TOY.to_owned()
+        + r#"[depth]
 guard = 4
 integer = 4
 interpolation = 6
@@ -38,7 +22,7 @@ rounding = "nearest-even"
 division = "quotient"
 clamp = "guard"
 "#;
-    let mut profile = parse(text, "toy.toml").unwrap();
+    let mut profile = parse(&text, "toy.toml").unwrap();
     if signed {
         (profile.vertex.integer, profile.vertex.signed) = (6, true);
     }

@@ -1,8 +1,9 @@
 //! The command, run to its end.
 #![allow(dead_code, reason = "each test file takes what it needs")]
 
+use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::{Command, Output, Stdio};
 
 /// The command, to be completed.
 pub(crate) fn guardbit() -> Command {
@@ -55,4 +56,14 @@ pub(crate) fn run_in(folder: &Path, arguments: &str) -> Ran {
     let mut command = guardbit();
     command.current_dir(folder).args(arguments.split_whitespace());
     command.output().unwrap().into()
+}
+
+/// The same with a text on standard input.
+pub(crate) fn pipe_in(folder: &Path, arguments: &str, input: &str) -> Ran {
+    let mut command = guardbit();
+    command.current_dir(folder).args(arguments.split_whitespace());
+    let pipes = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = pipes.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(input.as_bytes()).unwrap();
+    child.wait_with_output().unwrap().into()
 }

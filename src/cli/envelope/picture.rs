@@ -1,9 +1,8 @@
 //! Pictures of a window, in and out.
 
-use crate::cli::captured::covered;
 use crate::cli::failure::Failure;
 use crate::cli::heat::{BACKGROUND, Colour};
-use crate::cli::output::write_whole;
+use crate::cli::pixels::{self, covered};
 use guardbit::measure::envelope::{Class, Envelope, EnvelopeError};
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -106,18 +105,6 @@ pub(super) fn write(path: &Path, envelope: &Envelope) -> Result<u32, Failure> {
             Class::MustNot => BACKGROUND,
         })
         .collect();
-    let times = zoom as usize;
-    let mut data = Vec::with_capacity(colours.len() * 3 * times * times);
-    for row in colours.chunks_exact(width as usize) {
-        let wide: Vec<u8> = row.iter().flat_map(|colour| colour.repeat(times)).collect();
-        data.extend(wide.repeat(times));
-    }
-    write_whole(path, |file| {
-        let mut encoder = png::Encoder::new(file, width * zoom, height * zoom);
-        encoder.set_color(png::ColorType::Rgb);
-        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
-        writer.write_image_data(&data).map_err(std::io::Error::other)?;
-        writer.finish().map_err(std::io::Error::other)
-    })?;
+    pixels::write(path, (&colours, width), zoom, &[])?;
     Ok(zoom)
 }

@@ -63,8 +63,22 @@ impl Hypotheses {
         &self.base
     }
 
+    /// The first field of the axes that is not varied here: guard, integer, clamp and format of depth are the base's.
+    pub fn unfit(&self) -> Option<Field> {
+        let bare = Profile { depth: None, ..self.base.clone() };
+        let fits = |field: Field| {
+            field == Field::FORM || OWN.contains(&field.name()) || field.read(&bare).is_some()
+        };
+        self.axes.iter().map(|axis| axis.field).find(|field| !fits(*field))
+    }
+
     fn axis(&self, name: &str) -> Option<&Axis> {
         self.axes.iter().find(|axis| axis.field.name() == name)
+    }
+
+    /// Whether a field may have a value.
+    fn allows(&self, name: &str, value: &Value) -> bool {
+        self.axis(name).is_none_or(|axis| axis.values.contains(value))
     }
 
     fn numbers(&self, name: &str, all: impl Iterator<Item = u32>) -> Vec<u32> {
@@ -75,12 +89,9 @@ impl Hypotheses {
     }
 
     fn roundings(&self, name: &str) -> Vec<Rounding> {
-        let asked = |rounding: &Rounding| {
-            self.axis(name).is_none_or(|axis| {
-                axis.values.iter().any(|value| value.to_string() == rounding.to_string())
-            })
-        };
-        Rounding::ALL.into_iter().filter(asked).collect()
+        let allowed =
+            |rounding: &Rounding| self.allows(name, &Value::Name(rounding.names().guardbit));
+        Rounding::ALL.into_iter().filter(allowed).collect()
     }
 
     /// Every machine that is thought of, without depth.
@@ -98,7 +109,9 @@ impl Hypotheses {
         }
         let mut profiles = vec![(Vec::new(), base)];
         // The machine is chosen first: which other fields there are depends on it.
-        let own: Vec<&Axis> = self.axes.iter().filter(|axis| !of_this_room(axis.field)).collect();
+        let mut own: Vec<&Axis> =
+            self.axes.iter().filter(|axis| !OWN.contains(&axis.field.name())).collect();
+        own.sort_by_key(|axis| axis.field != Field::FORM);
         for axis in own {
             profiles = product(profiles, &axis.values, |value, profile| {
                 axis.field
@@ -154,6 +167,20 @@ impl Hypotheses {
         for root in &mut roots {
             let vertex = root.model.profile().vertex;
             root.inside = asked.contains(&vertex.sub_pixel) && snaps.contains(&vertex.snap);
+            let exact = root.words.last().map(|words| words.width);
+            let allowed = |words: &EdgeWordConfig| {
+                self.allows("edge-width", &Value::Bits(words.width))
+                    || Some(words.width) == exact
+                        && self.allows("edge-width", &Value::Name("exact"))
+            };
+            let asked: Vec<EdgeWordConfig> =
+                root.words.iter().copied().filter(|words| allowed(words)).collect();
+            // One whose words are all others stays beside the space.
+            if asked.is_empty() {
+                root.inside &= root.words.is_empty();
+            } else {
+                root.words = asked;
+            }
         }
         roots
     }
@@ -168,19 +195,21 @@ impl Hypotheses {
     /// The words of depth that are thought of; none where the base has no depth.
     pub(super) fn depths(&self) -> Vec<DepthConfig> {
         let Some(base) = self.base.depth else { return Vec::new() };
-        let divisions: Vec<Division> = match self.axis("reciprocal") {
-            None => std::iter::once(Division::Quotient)
-                .chain(RECIPROCALS.map(|bits| Division::Reciprocal { bits }))
-                .collect(),
-            Some(_) => vec![base.division],
-        };
+        // A field that an axis names has its values, whatever the usual ones are.
+        let reciprocals = self.numbers("reciprocal", RECIPROCALS).into_iter();
+        let quotient = self.allows("reciprocal", &Value::Name("quotient"));
+        let divisions = quotient.then_some(Division::Quotient).into_iter();
+        let divisions: Vec<Division> =
+            divisions.chain(reciprocals.map(|bits| Division::Reciprocal { bits })).collect();
         let mut depths = Vec::new();
         for division in divisions {
             for interpolation in self.numbers("interpolation", 0..=MOST_INTERPOLATION) {
                 for rounding in self.roundings("rounding") {
-                    for start_bias in [StartBias::None, StartBias::Half] {
+                    for (start_bias, name) in [(StartBias::None, "none"), (StartBias::Half, "half")]
+                    {
                         // Without a fraction there is no half.
-                        if interpolation > 0 || start_bias == StartBias::None {
+                        let can_be = interpolation > 0 || start_bias == StartBias::None;
+                        if can_be && self.allows("start-bias", &Value::Name(name)) {
                             depths.push(DepthConfig {
                                 interpolation,
                                 rounding,
@@ -198,10 +227,8 @@ impl Hypotheses {
 }
 
 /// Fields that this room varies in its own way.
-fn of_this_room(field: Field) -> bool {
-    ["sub-pixel", "snap", "interpolation", "rounding", "start-bias", "reciprocal"]
-        .contains(&field.name())
-}
+const OWN: [&str; 7] =
+    ["sub-pixel", "snap", "edge-width", "interpolation", "rounding", "start-bias", "reciprocal"];
 
 type Described = (Vec<(String, String)>, Profile);
 

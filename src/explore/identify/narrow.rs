@@ -3,6 +3,7 @@
 
 use super::picture::Picture;
 use crate::cover::{EdgeWordConfig, Rect};
+use crate::machine::Target;
 use crate::model::Model;
 use crate::setup::Triangle;
 
@@ -30,36 +31,19 @@ impl Boxed {
         if !profile.form.visits_the_box() || profile.traversal.is_some() {
             return None;
         }
-        let (triangle, grid, clip) = (triangle.normalised(), profile.grid().ok()?, model.clip());
-        let [(x0, x1), (y0, y1)] = [0, 1].map(|axis| {
-            let on = triangle.xy.map(|vertex| vertex[axis]);
-            let [low, high] =
-                [on.iter().min(), on.iter().max()].map(|end| end.copied().unwrap_or(0));
-            clip.clip(axis, grid.pixels(axis, (low, high)))
-        });
+        let target = Target { grid: profile.grid().ok()?, clip: model.clip() };
+        let triangle = triangle.normalised();
+        let [x0, y0, x1, y1] = target.bounds(&triangle);
         // Without an area nothing is drawn.
         let x1 = if triangle.area2() == 0 { x0 } else { x1 };
         Some(Self { triangle, area: Rect { x0, y0, x1, y1 } })
     }
 
-    /// Bits that hold every edge word at the samples of the box: E is linear, so its extremes lie on the
-    /// corners.
+    /// Bits that hold every edge word at the samples of the box.
     pub(super) fn needed(&self, model: &Model, words: EdgeWordConfig) -> u32 {
         let Rect { x0, y0, x1, y1 } = self.area;
-        let Ok(grid) = model.profile().grid() else { return u32::MAX };
-        if x0 >= x1 || y0 >= y1 {
-            return 1;
-        }
-        let values = words.words(&self.triangle, &grid);
-        let [x0, y0, x1, y1] = [x0, y0, x1 - 1, y1 - 1].map(i128::from);
-        let mut magnitude = 0;
-        for [start, dx, dy] in [0, 1, 2].map(|k| values.raw(k)) {
-            for (x, y) in [(x0, y0), (x1, y0), (x0, y1), (x1, y1)] {
-                let value = start + dx * x + dy * y;
-                magnitude |= value ^ (value >> 127);
-            }
-        }
-        1 + i128::BITS - magnitude.leading_zeros()
+        let grid = model.profile().grid();
+        grid.map_or(u32::MAX, |grid| words.words(&self.triangle, &grid).bits_over([x0, y0, x1, y1]))
     }
 
     /// The words of some width; none for those that 64 bits do not hold.

@@ -5,7 +5,7 @@ use super::run::{Hits, Side, compare};
 use super::stage::{Face, Stage};
 use super::tally::Tally;
 use crate::cover::EdgeWordConfig;
-use crate::machine::{Sink, Work};
+use crate::machine::{Sink, Target, Work};
 use crate::model::{Model, Span};
 use crate::profile::{InvalidProfile, Profile};
 
@@ -125,26 +125,10 @@ impl Drawn {
 
 /// The pixels `[x0, y0, x1, y1]` that an edge-function machine visits for a face.
 pub fn bounding_box(stage: &Stage, face: &Face) -> [u32; 4] {
-    let side = |axis| stage.clip.clip(axis, stage.grid.pixels(axis, face.triangle.extent(axis)));
-    let ((x0, x1), (y0, y1)) = (side(0), side(1));
-    [x0, y0, x1, y1]
+    Target { grid: stage.grid, clip: stage.clip }.bounds(&face.triangle)
 }
 
-/// Bits that hold every edge word that drawing a face meets: E is linear, so its extremes over the
-/// bounding box lie on its corners. 1 for a face without a sample in its box.
+/// Bits that hold every edge word that drawing a face meets.
 pub fn needed_width(stage: &Stage, face: &Face, edges: EdgeWordConfig) -> u32 {
-    let [x0, y0, x1, y1] = bounding_box(stage, face);
-    if x0 == x1 || y0 == y1 {
-        return 1;
-    }
-    let words = edges.words(&face.triangle, &stage.grid);
-    let [x0, y0, x1, y1] = [x0, y0, x1 - 1, y1 - 1].map(i128::from);
-    let mut magnitude = 0;
-    for k in 0..3 {
-        for (x, y) in [(x0, y0), (x1, y0), (x0, y1), (x1, y1)] {
-            let value = words.at(k, x, y).raw();
-            magnitude |= value ^ (value >> 127);
-        }
-    }
-    1 + i128::BITS - magnitude.leading_zeros()
+    edges.words(&face.triangle, &stage.grid).bits_over(bounding_box(stage, face))
 }

@@ -1,8 +1,11 @@
-//! Pictures that a device drew, as covered pixels.
+//! Pictures as PNG: those that a device drew, and those that commands draw.
 
-use super::heat::BACKGROUND;
+use super::failure::Failure;
+use super::heat::{BACKGROUND, Colour};
+use super::output::write_whole;
 use guardbit::explore::identify::Pixels;
 use std::io::{BufRead, Seek};
+use std::path::Path;
 
 /// Most pixels that are read.
 const MOST: u64 = 1 << 26;
@@ -28,4 +31,28 @@ pub(crate) fn covered(file: impl BufRead + Seek) -> Result<Pixels, String> {
     let rows = bytes.chunks_exact(frame.line_size.max(1)).take(height as usize);
     let pixels = rows.flat_map(|row| row.chunks_exact(channels).take(width as usize));
     Ok((pixels.map(is_covered).collect(), (width, height)))
+}
+
+/// Writes a picture of so many columns, each pixel enlarged to a square of `zoom`, and below it rows that are not.
+pub(crate) fn write(
+    path: &Path,
+    (pixels, width): (&[Colour], u32),
+    zoom: u32,
+    below: &[Colour],
+) -> Result<(), Failure> {
+    let (times, wide) = (zoom as usize, (width * zoom) as usize);
+    let mut data = Vec::with_capacity(3 * (pixels.len() * times * times + below.len()));
+    for row in pixels.chunks_exact(width as usize) {
+        let row: Vec<u8> = row.iter().flat_map(|colour| colour.repeat(times)).collect();
+        data.extend(row.repeat(times));
+    }
+    data.extend(below.iter().flatten());
+    let high = u32::try_from(data.len() / 3 / wide.max(1)).unwrap_or(u32::MAX);
+    write_whole(path, |file| {
+        let mut encoder = png::Encoder::new(file, width * zoom, high);
+        encoder.set_color(png::ColorType::Rgb);
+        let mut writer = encoder.write_header().map_err(std::io::Error::other)?;
+        writer.write_image_data(&data).map_err(std::io::Error::other)?;
+        writer.finish().map_err(std::io::Error::other)
+    })
 }
