@@ -5,7 +5,7 @@ mod report;
 
 use super::Outcome;
 use super::failure::Failure;
-use super::output::{Output, write_text};
+use super::output::{Output, check_place, write_text};
 use super::pixels::covered;
 use super::progress;
 use device::Device;
@@ -100,6 +100,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if arguments.cases.is_none() && arguments.device.is_none() && !arguments.next {
         return Err(Failure::input("there is nothing to go by")
             .hint("give --cases FILE, or --device CMD, or ask for a first triangle by --next"));
+    }
+    // What is learned from a device must not be lost for want of a place.
+    for path in [&arguments.save, &arguments.profile_out].into_iter().flatten() {
+        check_place(path)?;
     }
     let hypotheses = hypotheses(arguments)?;
     let cases = read(arguments)?;

@@ -127,8 +127,8 @@ fn what_cannot_be_asked_is_said() {
     }
     std::fs::write(folder.path().join("broken.png"), b"\x89PNG\r\n\x1a\nnothing").unwrap();
     for (line, says) in [
-        ("--api metal --scene s.jsonl", &["`metal` is not held", "vulkan (Vulkan 1.3)"][..]),
-        ("--api vulkan-1.0 --scene s.jsonl", &["`vulkan-1.0` is not held"]),
+        ("--api metal --scene s.jsonl", &["`metal` is not known", "vulkan (Vulkan 1.3)"][..]),
+        ("--api vulkan-1.0 --scene s.jsonl", &["`vulkan-1.0` is not known"]),
         ("--api vulkan --scene s.jsonl --bits 8..4", &["--bits 8..4: low <= high"]),
         ("--api vulkan --scene s.jsonl --bits 3..4", &["4 <= sub-pixel bits <= 16"]),
         ("--api vulkan --scene s.jsonl --bits many", &["4..12 or 8"]),

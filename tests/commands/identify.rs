@@ -175,6 +175,8 @@ fn what_is_no_case_is_refused_with_its_line() {
     }
     run_in(home.path(), "identify").complains(2, &["nothing to go by"]);
     run_in(home.path(), &format!("{IDENTIFY} --cases none.jsonl")).complains(3, &["none.jsonl"]);
+    run_in(home.path(), "identify --device true --save none/c.jsonl")
+        .complains(3, &["none/c.jsonl"]);
     run_in(home.path(), "identify --next --vary guard=1").complains(2, &["guard", "--base"]);
     run_in(home.path(), "identify --next --vary sub-pixel=30")
         .complains(2, &["no hypothesis is a valid profile"]);

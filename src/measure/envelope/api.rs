@@ -1,4 +1,4 @@
-//! The APIs whose text is held, and what each leaves open. Spec clauses `EN-2` to `EN-5`.
+//! The APIs that are known here, and what each leaves open. Spec clauses `EN-2` to `EN-5`.
 
 use super::error::EnvelopeError;
 use super::rule::Rule;
@@ -20,7 +20,7 @@ pub enum Api {
 }
 
 impl Api {
-    /// Every API that is held.
+    /// Every API that is known here.
     pub const ALL: [Self; 4] = [Self::Vulkan, Self::D3d11, Self::WebGpu, Self::OpenGl];
 
     /// Its name on the command line.
@@ -33,7 +33,7 @@ impl Api {
         }
     }
 
-    /// The text that is held.
+    /// The text that its clauses cite.
     pub const fn text(self) -> &'static str {
         match self {
             Self::Vulkan => "Vulkan 1.3",
@@ -76,7 +76,7 @@ impl Api {
 impl FromStr for Api {
     type Err = EnvelopeError;
 
-    /// Reads `vulkan`, or the name with the version that is held: `vulkan-1.3`.
+    /// Reads `vulkan`, or the name with the version of that text: `vulkan-1.3`.
     fn from_str(name: &str) -> Result<Self, EnvelopeError> {
         match name {
             "vulkan" | "vulkan-1.3" => Ok(Self::Vulkan),

@@ -6,8 +6,8 @@ use super::shape::REACH;
 /// A question without an answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum EnvelopeError {
-    /// An API or a version whose text is not held.
-    #[error("the text of `{name}` is not held; held are {}", held())]
+    /// An API or a version that is not known here.
+    #[error("`{name}` is not known; the APIs and versions are {}", known())]
     Api {
         /// The name that was asked for.
         name: String,
@@ -109,7 +109,7 @@ pub enum EnvelopeError {
     },
 }
 
-fn held() -> String {
+fn known() -> String {
     let names = Api::ALL.map(|api| format!("{} ({})", api.name(), api.text()));
     names.join(", ")
 }
