@@ -29,7 +29,7 @@ mod word;
 pub use barycentric::{Barycentric, BarycentricConfig, BarycentricError};
 pub use bound::{plane_bound, rounding_error};
 pub use carry::{Accumulators, Carried, CarriedWords, Carrier, LinearValue};
-pub use channels::{ChannelPort, Channels, CodeSink};
+pub use channels::{ChannelPort, Channels, CodeSink, ComponentWords};
 pub use cost::{Count, Datapath, Dda, Operations, Unit, corners, signed_bits};
 pub use edge_function::{EdgeFunction, EdgeFunctionConfig};
 pub use edge_walk::{EdgeWalk, EdgeWalkConfig, EdgeWalkError, WalkedEdge};

@@ -12,16 +12,16 @@ pub use fill::Raster;
 pub use primitive::{Primitive, PrimitiveError};
 pub use quads::QuadError;
 pub use record::{Drawing, Records, Span};
-pub use walk::Walk;
+pub use walk::{Divider, Walk};
 
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
 use crate::machine::{
-    Channels, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
+    Channels, ComponentWords, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
 };
 use crate::profile::{InvalidProfile, Profile};
 use crate::scene;
-use crate::setup::{Triangle, VertexField};
+use crate::setup::{Snapped, Triangle, VertexField};
 use crate::value::{Depth, ValueError, VertexValues};
 
 /// The version of the model. Any change of an output bit raises it, and the CHANGELOG names the change.
@@ -129,6 +129,33 @@ impl Model {
         inverse_w: Option<[i128; 3]>,
     ) -> Result<VertexValues, ValueError> {
         VertexValues::check(&self.profile.channel, self.profile.w.as_ref(), given, inverse_w)
+    }
+
+    /// The same for codes in the order of the profile: channel, then component.
+    ///
+    /// # Errors
+    /// As for [`Model::values`].
+    pub fn values_in_order(
+        &self,
+        codes: &[[i128; 3]],
+        inverse_w: Option<[i128; 3]>,
+    ) -> Result<VertexValues, ValueError> {
+        let mut codes = codes.iter().copied();
+        let channels = self.profile.channel.iter().map(|channel| {
+            (channel.name.clone(), codes.by_ref().take(channel.components.len()).collect())
+        });
+        self.values(&channels.collect::<Vec<_>>(), inverse_w)
+    }
+
+    /// The words behind the codes of channel `number` at a covered sample: [`Channels::words`].
+    pub fn channel_words(
+        &self,
+        triangle: &Snapped<Triangle>,
+        values: &VertexValues,
+        number: usize,
+        sample: ([u32; 2], Option<u32>),
+    ) -> Option<Vec<ComponentWords>> {
+        self.channels()?.words((&*self.machine, triangle), values, number, sample)
     }
 
     /// The depth evaluator, if the profile has depth.

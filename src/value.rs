@@ -11,6 +11,7 @@ mod depth_codec;
 mod depth_decision;
 mod depth_format;
 mod interpolate;
+mod interpolator;
 mod lod;
 mod reciprocal;
 mod vertex_values;
@@ -27,6 +28,7 @@ pub use depth_buffer::{Compare, DepthBuffer};
 pub use depth_codec::{leading_ones, slope_code, w_float};
 pub use depth_format::{DepthFormat, DepthFormatError};
 pub use interpolate::{Interpolation, InterpolationConfig, InterpolationError, Interpolator};
+pub use interpolator::InterpolatorUnit;
 pub use lod::{AxisLength, Derivatives, Detail, DetailConfig, DetailError, Quad};
 pub use reciprocal::{
     Reciprocal, ReciprocalConfig, ReciprocalError, ReciprocalUnit, ReciprocalWords, Refine,

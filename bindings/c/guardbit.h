@@ -71,6 +71,11 @@
  */
 #define GUARDBIT_WORDS 6
 
+/*
+ The kind of walk of channel 0: a component, or the component over w. Channel n is n more.
+ */
+#define GUARDBIT_CHANNEL_WALK 16
+
 #ifdef __cplusplus
 extern "C" {
 #endif // __cplusplus
@@ -139,6 +144,20 @@ int32_t guardbit_component(int32_t model,
                            uintptr_t size);
 
 /*
+ The division of a channel at a sample (clause CH-5): the accumulators of u/w and 1/w in, the code
+ out, as a word of four parts each; a code of a signed channel is sign-extended. A channel that is
+ not divided by 1/w is `GUARDBIT_ARGUMENT`.
+
+ # Safety
+ Each pointer is null or leads to four parts.
+ */
+int32_t guardbit_divide(int32_t model,
+                        uint32_t channel,
+                        const uint32_t *acc,
+                        const uint32_t *acc_w,
+                        uint32_t *code);
+
+/*
  How many codes of a channel the last drawing has: 0 if it was drawn without channels.
  */
 int32_t guardbit_code_count(int32_t model, uint32_t channel);
@@ -170,6 +189,18 @@ int32_t guardbit_clock_logic(int32_t walk,
                              const uint8_t *dy,
                              uint8_t *acc,
                              uint8_t *out);
+
+/*
+ `guardbit_divide` for the same words.
+
+ # Safety
+ Each pointer is null or leads to 128 bytes.
+ */
+int32_t guardbit_divide_logic(int32_t model,
+                              int32_t channel,
+                              const uint8_t *acc,
+                              const uint8_t *acc_w,
+                              uint8_t *code);
 
 /*
  Opens a model by the name of a built-in profile or the path of a TOML file, and returns its
@@ -254,14 +285,15 @@ int32_t guardbit_setup(int32_t model, uint32_t index, uint32_t *word);
 int32_t guardbit_column(int32_t model, uint32_t index, char *name, uintptr_t size);
 
 /*
- Opens a walk of a model, all zeros: kind 0 is its depth accumulator, 1 its edge word. Returns
- the walk's handle; `guardbit_close` closes it.
+ Opens a walk of a model, all zeros: kind 0 is its depth accumulator, 1 its edge word, 2 its 1/w,
+ `GUARDBIT_CHANNEL_WALK` + n an accumulator of channel n (clause CH-16). Returns the walk's handle;
+ `guardbit_close` closes it.
  */
 int32_t guardbit_walk(int32_t model, uint32_t kind);
 
 /*
  One clock edge of a walk: op 0 loads `init`, 1 adds `dx`, 2 adds `dy`, 3 holds. `acc` and `out`
- take the state after it: the accumulator, and its read-out or 1 for inside.
+ take the state after it: the accumulator, and the bits of its read-out or 1 for inside.
 
  # Safety
  Each pointer is null or leads to four parts.

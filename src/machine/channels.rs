@@ -3,6 +3,9 @@
 
 mod set_up;
 mod sink;
+mod words;
+
+pub use words::ComponentWords;
 
 use super::{CarriedWords, Carrier, DrawError, Input, Machine, Sink};
 use crate::bits::bounded;

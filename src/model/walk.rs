@@ -1,34 +1,86 @@
-//! Walks of a model's words, clock by clock: what simulators and Python call.
+//! Walks of a model's words, clock by clock, and its divisions: what simulators and Python call.
 
 use super::Model;
+use crate::bits::bounded;
 use crate::dda::{Op, Walker};
+use crate::format::ReadOut;
+use crate::value::{Corrector, Divided, InterpolatorUnit};
 
-/// A depth accumulator with its read-out, or an edge word with its sign test; all zeros at first.
+/// A depth accumulator or an interpolator with its read-out, or an edge word with its sign test; all zeros at
+/// first.
 #[derive(Clone, Copy, Debug)]
 pub struct Walk {
     walker: Walker,
     inputs: [i128; 3],
     width: u32,
-    edge: bool,
+    shown: Shown,
+}
+
+/// What is read of a word.
+#[derive(Clone, Copy, Debug)]
+enum Shown {
+    Depth,
+    Inside,
+    Component(InterpolatorUnit),
 }
 
 impl Model {
     /// A walk of the depth accumulator; `None` without depth. Spec clauses `D-1` and `G-1`.
     pub fn depth_walk(&self) -> Option<Walk> {
         let read = self.depth()?.read_out();
-        let walker = Walker::new(read, 0, 0, 0);
-        Some(Walk { walker, inputs: [0; 3], width: read.width(), edge: false })
+        Some(Walk::new(read, Shown::Depth))
     }
 
     /// A walk of an edge word; `None` for a machine that has none. Spec clause `C-5`.
     pub fn edge_walk(&self) -> Option<Walk> {
         let read = self.profile().form.edge()?.read_out()?;
-        let walker = Walker::new(read, 0, 0, 0);
-        Some(Walk { walker, inputs: [0; 3], width: read.width(), edge: true })
+        Some(Walk::new(read, Shown::Inside))
+    }
+
+    /// A walk of a component of channel `number`, or of the component over w; of 1/w with no number. `None`
+    /// for a machine that does not add slopes from pixel to pixel, and where there is nothing to walk. Spec
+    /// clause `CH-16`.
+    pub fn interpolator_walk(&self, number: Option<usize>) -> Option<Walk> {
+        let channels = self.channels().filter(|channels| channels.steps())?;
+        let unit = match number {
+            Some(number) => channels.corrector(number)?.interpolator(),
+            None => InterpolatorUnit::new(channels.w_read_out()?, false, true),
+        }?;
+        Some(Walk::new(unit.read, Shown::Component(unit)))
+    }
+
+    /// What divides the accumulators of channel `number`; `None` for one that is not divided by 1/w. Spec
+    /// clause `CH-5`.
+    pub fn divider(&self, number: usize) -> Option<Divider<'_>> {
+        let corrector = self.channels()?.corrector(number)?;
+        corrector.config().correction.walks_w().then_some(Divider { corrector })
+    }
+}
+
+/// A division a sample, as a unit of its own.
+#[derive(Clone, Copy, Debug)]
+pub struct Divider<'a> {
+    corrector: &'a Corrector,
+}
+
+impl Divider<'_> {
+    /// The words for the accumulators of u/w and 1/w, each taken mod 2^width.
+    pub fn divide(&self, over: i128, inverse: i128) -> Divided {
+        let word = |word: i128, read: ReadOut| {
+            let above = i128::BITS - read.width();
+            word << above >> above
+        };
+        let inverse = self.corrector.w_read_out().map_or(0, |read| word(inverse, read));
+        self.corrector.division(word(over, self.corrector.read_out()), inverse)
     }
 }
 
 impl Walk {
+    fn new(read: ReadOut, shown: Shown) -> Self {
+        let walker = Walker::new(read, 0, 0, 0);
+        Self { walker, inputs: [0; 3], width: read.width(), shown }
+    }
+
     /// Bits of its words.
     pub fn width(&self) -> u32 {
         self.width
@@ -36,7 +88,7 @@ impl Walk {
 
     /// One clock edge with these words at the inputs, each taken mod 2^width: the start, the slope
     /// to the right and the slope downward. Returns the word after it, zero-extended, and what is
-    /// read from it: the read-out, or 1 for inside.
+    /// read from it: the read-out, as the bits of its word, or 1 for inside.
     pub fn clock(&mut self, op: Op, inputs: [i128; 3]) -> (u128, u64) {
         if inputs != self.inputs {
             let [init, dx, dy] = inputs;
@@ -45,8 +97,15 @@ impl Walk {
         }
         self.walker.clock(op);
         let pattern = self.walker.pattern();
-        let inside = u64::from(pattern >> (self.width - 1) == 0);
-        (pattern, if self.edge { inside } else { self.walker.out() })
+        let shown = match self.shown {
+            Shown::Depth => self.walker.out(),
+            Shown::Inside => u64::from(pattern >> (self.width - 1) == 0),
+            Shown::Component(unit) => {
+                let out = unit.out(self.walker.accumulator());
+                bounded(out.cast_unsigned() & ((1 << unit.read.integer()) - 1))
+            }
+        };
+        (pattern, shown)
     }
 }
 

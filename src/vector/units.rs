@@ -1,11 +1,10 @@
 //! The units that evaluate the channels of a profile, each different one once. Spec clauses `CH-15` and
 //! `CH-16`.
 
-use crate::format::ReadOut;
 use crate::model::Model;
 use crate::profile::Profile;
 use crate::value::{
-    AttributeConfig, Correction, Corrector, EvaluatedAt, ReciprocalUnit, StartBias,
+    AttributeConfig, Correction, Corrector, EvaluatedAt, InterpolatorUnit, ReciprocalUnit, StartBias,
 };
 
 /// Who walks the plane of 1/w. No channel has such a name: a name of a channel has no `-`.
@@ -17,29 +16,6 @@ pub(in crate::vector) struct Named<T> {
     /// The name of its bench.
     pub(in crate::vector) bench: String,
     pub(in crate::vector) unit: T,
-}
-
-/// A component, or 1/w, along a walk.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(in crate::vector) struct InterpolatorUnit {
-    /// The accumulator and what is read of it: a code, or u/w and 1/w with their fraction.
-    pub(in crate::vector) read: ReadOut,
-    /// Whether what is read is two's complement.
-    pub(in crate::vector) signed: bool,
-    /// Bits of what is read that stand below the binary point.
-    pub(in crate::vector) below: u32,
-}
-
-impl InterpolatorUnit {
-    /// What is added before the read-out, in units of what is read, and taken away after it.
-    pub(in crate::vector) fn offset(&self) -> i128 {
-        if self.signed { 1 << (self.read.integer() - 1) } else { 0 }
-    }
-
-    /// Bits of the accumulator below its binary point.
-    pub(in crate::vector) fn fraction(&self) -> u32 {
-        self.below + self.read.fraction()
-    }
 }
 
 /// A reciprocal unit, and the integers that it takes.
@@ -96,14 +72,13 @@ impl Units {
             && profile.channel.iter().any(|channel| walked(&channel))
             && let Some(read) = w.and_then(|w| w.validate(&profile.vertex).ok())
         {
-            units.interpolates(INVERSE_W, read, (false, true));
+            let unit = InterpolatorUnit::new(read, false, true);
+            unit.into_iter().for_each(|unit| units.interpolates(INVERSE_W, unit));
         }
         for channel in &profile.channel {
             let Ok(corrector) = Corrector::new(channel, w, &profile.vertex) else { continue };
-            let carried = walked(&channel) || channel.correction == Correction::Affine;
-            if steps && carried {
-                let how = (channel.signed, walked(&channel));
-                units.interpolates(&channel.name, corrector.read_out(), how);
+            if let Some(unit) = corrector.interpolator().filter(|_| steps) {
+                units.interpolates(&channel.name, unit);
             }
             if !walked(&channel) {
                 continue;
@@ -123,13 +98,7 @@ impl Units {
         units
     }
 
-    /// Adds the interpolator of an accumulator; `whole` has its fraction read, too.
-    fn interpolates(&mut self, name: &str, read: ReadOut, (signed, whole): (bool, bool)) {
-        let below = if whole { read.fraction() } else { 0 };
-        let (integer, fraction) = (read.integer() + below, read.fraction() - below);
-        // The split of the guard range is the same pattern, wherever the binary point stands.
-        let Ok(read) = ReadOut::new(read.guard(), integer, fraction, read.clamp()) else { return };
-        let unit = InterpolatorUnit { read, signed, below };
+    fn interpolates(&mut self, name: &str, unit: InterpolatorUnit) {
         add(&mut self.interpolators, "interpolator", name, unit);
     }
 }

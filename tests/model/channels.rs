@@ -7,6 +7,7 @@ mod quads;
 mod reciprocal;
 mod refused;
 mod runs;
+mod words;
 
 use crate::toy::TOY;
 use guardbit::bits::Rounding;

@@ -14,6 +14,11 @@ package guardbit_dpi;
         input longint unsigned init, input longint unsigned dx, input longint unsigned dy,
         output longint unsigned acc, output longint unsigned out_v
     );
+    // Kinds of walks: 0 depth, 1 edge, 2 1/w, 16 + n channel n.
+    import "DPI-C" function int guardbit_divide(
+        input int model, input int unsigned channel, input bit [127:0] acc, input bit [127:0] acc_w,
+        output bit [127:0] code
+    );
     import "DPI-C" function int guardbit_draw(input int model, input longint vertices [9]);
     import "DPI-C" function int guardbit_span(input int model, input int unsigned index, output int unsigned run [3]);
 

@@ -2,7 +2,7 @@
 
 use crate::model::{MODELS, Open, count, few, part_out};
 use crate::primitive::{GUARDBIT_TRIANGLE, given};
-use crate::{Failure, GUARDBIT_ARGUMENT, answer, name_out, numbers_in};
+use crate::{Failure, GUARDBIT_ARGUMENT, answer, name_out, numbers_in, word_in, word_out};
 use guardbit::machine::ChannelPort;
 use guardbit::scene::{Named, Shading};
 use std::ffi::c_char;
@@ -118,6 +118,45 @@ pub unsafe extern "C" fn guardbit_component(
             unsafe { name_out(name, size, component) }?;
             Ok(0)
         })
+    })
+}
+
+/// The division of a channel at a sample (clause CH-5): the accumulators of u/w and 1/w in, the code
+/// out, as a word of four parts each; a code of a signed channel is sign-extended. A channel that is
+/// not divided by 1/w is `GUARDBIT_ARGUMENT`.
+///
+/// # Safety
+/// Each pointer is null or leads to four parts.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_divide(
+    model: i32,
+    channel: u32,
+    acc: *const u32,
+    acc_w: *const u32,
+    code: *mut u32,
+) -> i32 {
+    answer(|| {
+        // SAFETY: as the caller promises.
+        let acc = unsafe { word_in(acc, "acc") }?;
+        // SAFETY: as the caller promises.
+        let acc_w = unsafe { word_in(acc_w, "acc_w") }?;
+        let word = divide(model, channel, [acc, acc_w])?;
+        // SAFETY: as the caller promises.
+        unsafe { word_out(code, "code", word) }?;
+        Ok(0)
+    })
+}
+
+/// The code for the accumulators of u/w and 1/w.
+pub(crate) fn divide(model: i32, channel: u32, words: [u128; 2]) -> Result<u128, Failure> {
+    MODELS.with(model, |open| {
+        port(open, "channel", channel)?;
+        let divider = open.model.divider(channel as usize).ok_or_else(|| {
+            let text = format!("channel = {channel}: it is not divided by 1/w");
+            Failure::new(GUARDBIT_ARGUMENT, text)
+        })?;
+        let [over, inverse] = words.map(u128::cast_signed);
+        Ok(i128::from(divider.divide(over, inverse).code).cast_unsigned())
     })
 }
 

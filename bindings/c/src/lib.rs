@@ -21,9 +21,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub use channel::{
     guardbit_channel, guardbit_channels, guardbit_code_count, guardbit_codes, guardbit_component,
-    guardbit_draw_shaded,
+    guardbit_divide, guardbit_draw_shaded,
 };
-pub use logic::guardbit_clock_logic;
+pub use logic::{guardbit_clock_logic, guardbit_divide_logic};
 pub use model::{
     guardbit_close, guardbit_column, guardbit_depth, guardbit_draw, guardbit_draw_primitive,
     guardbit_open, guardbit_record, guardbit_setup, guardbit_span,
@@ -32,7 +32,7 @@ pub use primitive::{
     GUARDBIT_CLIP, GUARDBIT_LINE, GUARDBIT_POINT, GUARDBIT_POLYGON, GUARDBIT_POLYGON_DEPTH,
     GUARDBIT_TRIANGLE, GUARDBIT_WORDS,
 };
-pub use walk::{guardbit_clock, guardbit_clock64, guardbit_walk};
+pub use walk::{GUARDBIT_CHANNEL_WALK, guardbit_clock, guardbit_clock64, guardbit_walk};
 
 /// The handle is of nothing that is open, or of something of another kind.
 pub const GUARDBIT_HANDLE: i32 = -1;

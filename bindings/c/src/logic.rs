@@ -1,5 +1,6 @@
 //! Words as arrays of VHDL's `std_ulogic`, for VHPIDIRECT.
 
+use crate::channel::divide;
 use crate::walk::{WALKS, clock};
 use crate::{Failure, GUARDBIT_ARGUMENT, answer, null};
 
@@ -69,6 +70,30 @@ pub unsafe extern "C" fn guardbit_clock_logic(
         unsafe { logic_out(acc, "acc", state) }?;
         // SAFETY: as the caller promises.
         unsafe { logic_out(out, "out", read) }?;
+        Ok(0)
+    })
+}
+
+/// `guardbit_divide` for the same words.
+///
+/// # Safety
+/// Each pointer is null or leads to 128 bytes.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn guardbit_divide_logic(
+    model: i32,
+    channel: i32,
+    acc: *const u8,
+    acc_w: *const u8,
+    code: *mut u8,
+) -> i32 {
+    answer(|| {
+        // SAFETY: as the caller promises.
+        let acc = unsafe { logic_in(acc, "acc") }?;
+        // SAFETY: as the caller promises.
+        let acc_w = unsafe { logic_in(acc_w, "acc_w") }?;
+        let word = divide(model, u32::try_from(channel).unwrap_or(u32::MAX), [acc, acc_w])?;
+        // SAFETY: as the caller promises.
+        unsafe { logic_out(code, "code", word) }?;
         Ok(0)
     })
 }

@@ -18,17 +18,27 @@ pub(crate) fn clock(walk: &mut Walk, op: u32, inputs: [u128; 3]) -> Result<[u128
     Ok([word, read.into()])
 }
 
-/// Opens a walk of a model, all zeros: kind 0 is its depth accumulator, 1 its edge word. Returns
-/// the walk's handle; `guardbit_close` closes it.
+/// The kind of walk of channel 0: a component, or the component over w. Channel n is n more.
+pub const GUARDBIT_CHANNEL_WALK: u32 = 16;
+
+/// Opens a walk of a model, all zeros: kind 0 is its depth accumulator, 1 its edge word, 2 its 1/w,
+/// `GUARDBIT_CHANNEL_WALK` + n an accumulator of channel n (clause CH-16). Returns the walk's handle;
+/// `guardbit_close` closes it.
 #[unsafe(no_mangle)]
 pub extern "C" fn guardbit_walk(model: i32, kind: u32) -> i32 {
     answer(|| {
         let walk = MODELS.with(model, |open| {
             let (walk, what) = match kind {
-                0 => (open.model.depth_walk(), "depth"),
-                1 => (open.model.edge_walk(), "edge words"),
+                0 => (open.model.depth_walk(), "depth".to_owned()),
+                1 => (open.model.edge_walk(), "edge words".to_owned()),
+                2 => (open.model.interpolator_walk(None), "1/w that is walked".to_owned()),
+                GUARDBIT_CHANNEL_WALK.. => {
+                    let number = kind - GUARDBIT_CHANNEL_WALK;
+                    let walk = open.model.interpolator_walk(Some(number as usize));
+                    (walk, format!("channel {number} that is walked"))
+                }
                 _ => {
-                    let text = format!("kind = {kind}: 0 depth, 1 edge");
+                    let text = format!("kind = {kind}: 0 depth, 1 edge, 2 1/w, 16 + n channel n");
                     return Err(Failure::new(GUARDBIT_ARGUMENT, text));
                 }
             };
@@ -40,7 +50,7 @@ pub extern "C" fn guardbit_walk(model: i32, kind: u32) -> i32 {
 }
 
 /// One clock edge of a walk: op 0 loads `init`, 1 adds `dx`, 2 adds `dy`, 3 holds. `acc` and `out`
-/// take the state after it: the accumulator, and its read-out or 1 for inside.
+/// take the state after it: the accumulator, and the bits of its read-out or 1 for inside.
 ///
 /// # Safety
 /// Each pointer is null or leads to four parts.

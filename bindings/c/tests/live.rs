@@ -23,6 +23,7 @@ fn main() {
     let trials = vec![
         COMPILER.trial("c_calls_that_are_wrong_get_a_code_and_a_message", c),
         VERILATOR.trial("verilator_over_dpi", verilator),
+        VERILATOR.trial("verilator_beside_units_of_channels", verilator_channels),
         ICARUS.trial("icarus_over_vpi", icarus),
         GHDL.trial("ghdl_over_vhpidirect", ghdl),
     ];
@@ -55,11 +56,16 @@ fn good(folder: &Path, program: &str, arguments: &[&str]) -> String {
     text.concat()
 }
 
-fn c(compiler: &str) {
-    let home = tempfile::tempdir().unwrap();
+/// The profile `channels.toml` in a folder.
+fn channels(folder: &Path) {
     let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
     let channels = std::fs::read_to_string(here("tests/channels.toml")).unwrap();
-    std::fs::write(home.path().join("channels.toml"), tiny + "\n" + &channels).unwrap();
+    std::fs::write(folder.join("channels.toml"), tiny + "\n" + &channels).unwrap();
+}
+
+fn c(compiler: &str) {
+    let home = tempfile::tempdir().unwrap();
+    channels(home.path());
     let archive = library("libguardbit_c.a").display().to_string();
     let include = here("");
     let source = here("tests/wrong.c");
@@ -89,8 +95,31 @@ fn verilator(verilator: &str) {
     eprintln!("{rate:.1} million calls a second over DPI-C");
 }
 
+fn verilator_channels(verilator: &str) {
+    let home = tempfile::tempdir().unwrap();
+    channels(home.path());
+    let archive = library("libguardbit_c.a").display().to_string();
+    let devices =
+        ["interpolator", "held_value", "perspective_divider", "setup_divider", "reciprocal_unit"];
+    let rest = ["reciprocal_table", "newton_step", "rounded_shift", "bit_length"];
+    let devices = devices.iter().chain(&rest).map(|name| here(&format!("../../hdl/{name}.sv")));
+    let files: Vec<String> = [here("dpi/guardbit_dpi.sv"), here("dpi/live_channels.sv")]
+        .into_iter()
+        .chain(devices)
+        .collect();
+    let options = ["--binary", "-Wno-fatal", "--top-module", "live_channels", "-j", "2", "-o", "sim"];
+    let mut all = options.to_vec();
+    all.extend(files.iter().map(String::as_str));
+    all.extend([&*archive, "-LDFLAGS", "-lpthread -ldl"]);
+    good(home.path(), verilator, &all);
+    let sim = home.path().join("obj_dir/sim").display().to_string();
+    let text = good(home.path(), &sim, &["+clocks=20000"]);
+    assert!(text.contains("PASS clocks=20000"), "{text}");
+}
+
 fn icarus(_: &str) {
     let home = tempfile::tempdir().unwrap();
+    channels(home.path());
     let library = library("libguardbit_c.so");
     let folder = library.parent().unwrap().display().to_string();
     let options = ["--name=guardbit", &*format!("-I{}", here("")), &here("vpi/guardbit_vpi.c")]
@@ -115,6 +144,7 @@ fn icarus(_: &str) {
 
 fn ghdl(ghdl: &str) {
     let home = tempfile::tempdir().unwrap();
+    channels(home.path());
     // The package names the library in the folder where the simulation runs.
     std::os::unix::fs::symlink(library("libguardbit_c.so"), home.path().join("libguardbit_c.so"))
         .unwrap();

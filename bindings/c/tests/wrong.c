@@ -62,6 +62,8 @@ static void channels(void) {
     /* r is x + 2 y in half pixels, at samples 1, 3, 5. */
     int64_t color[12] = {3, 8, 5, 8, 7, 8, 7, 8, 9, 8, 11, 8}, got[12];
     int32_t model = guardbit_open("channels.toml"), tiny = guardbit_open("tiny"), n;
+    uint32_t over[4] = {5084, 0, 0, 0}, inverse[4] = {10496, 0, 0, 0}, code[4];
+    uint64_t word, shown;
     char name[16];
 
     IS(guardbit_channels(model), 3);
@@ -99,6 +101,35 @@ static void channels(void) {
     EXPECT(guardbit_draw_shaded(0, corner, 9, codes, 12, q), GUARDBIT_HANDLE, "no handle");
     IS(guardbit_draw_shaded(model, flat, 6, codes, 12, q), 3);
     IS(guardbit_code_count(model, 0), 12);
+    /* The units. A code of the affine channel has 4 bits below it; 256 is above the range, 384 below 0. */
+    n = guardbit_walk(model, GUARDBIT_CHANNEL_WALK);
+    EXPECT(n, 0, "");
+    EXPECT(guardbit_clock64(n, 0, 255 << 4, 1 << 4, 128 << 4, &word, &shown), 0, "");
+    IS((int32_t)shown, 255);
+    EXPECT(guardbit_clock64(n, 1, 255 << 4, 1 << 4, 128 << 4, &word, &shown), 0, "");
+    IS((int32_t)word, 256 << 4);
+    IS((int32_t)shown, 255);
+    EXPECT(guardbit_clock64(n, 2, 255 << 4, 1 << 4, 128 << 4, &word, &shown), 0, "");
+    IS((int32_t)shown, 0);
+    /* 1/w is read with its fraction. */
+    n = guardbit_walk(model, 2);
+    EXPECT(guardbit_clock64(n, 0, 10496, 0, 0, &word, &shown), 0, "");
+    IS((int32_t)shown, 10496);
+    EXPECT(guardbit_walk(model, GUARDBIT_CHANNEL_WALK + 2), GUARDBIT_ARGUMENT, "no channel 2 that is walked");
+    EXPECT(guardbit_walk(model, GUARDBIT_CHANNEL_WALK + 9), GUARDBIT_ARGUMENT, "no channel 9 that is walked");
+    EXPECT(guardbit_divide(model, 1, over, inverse, code), 0, "");
+    if (code[0] != 124 || code[1] || code[2] || code[3]) failed = 1, printf("5084 over 10496 is %u\n", code[0]);
+    /* Words are taken mod 2^17; 1/w of 0 gives the farthest code. */
+    over[0] = (1 << 17) + 5084, over[3] = 7;
+    EXPECT(guardbit_divide(model, 1, over, inverse, code), 0, "");
+    IS((int32_t)code[0], 124);
+    inverse[0] = 0;
+    EXPECT(guardbit_divide(model, 1, over, inverse, code), 0, "");
+    IS((int32_t)code[0], 255);
+    EXPECT(guardbit_divide(model, 0, over, inverse, code), GUARDBIT_ARGUMENT, "not divided by 1/w");
+    EXPECT(guardbit_divide(model, 3, over, inverse, code), GUARDBIT_ARGUMENT, "there are 3 channels");
+    EXPECT(guardbit_divide(model, 1, over, 0, code), GUARDBIT_NULL, "acc_w");
+    EXPECT(guardbit_divide(tiny, 0, over, inverse, code), GUARDBIT_ARGUMENT, "there are 0 channels");
     /* Drawn without channels. */
     IS(guardbit_draw(model, corner), 3);
     IS(guardbit_code_count(model, 0), 0);
@@ -119,7 +150,9 @@ int main(void) {
     EXPECT(guardbit_open("no-such-profile"), GUARDBIT_PROFILE, "no-such-profile");
     EXPECT(guardbit_open("\xff"), GUARDBIT_ARGUMENT, "UTF-8");
     EXPECT(guardbit_walk(model + 1, 0), GUARDBIT_HANDLE, "no handle");
-    EXPECT(guardbit_walk(model, 2), GUARDBIT_ARGUMENT, "kind = 2");
+    EXPECT(guardbit_walk(model, 2), GUARDBIT_ARGUMENT, "no 1/w that is walked");
+    EXPECT(guardbit_walk(model, 3), GUARDBIT_ARGUMENT, "kind = 3");
+    EXPECT(guardbit_walk(model, GUARDBIT_CHANNEL_WALK), GUARDBIT_ARGUMENT, "no channel 0 that is walked");
     walk = guardbit_walk(model, 0);
     edge = guardbit_walk(model, 1);
     EXPECT(walk, 0, "");

@@ -17,6 +17,10 @@ package guardbit_vhpi is
         acc : out word_t; result : out word_t);
     attribute foreign of guardbit_clock_logic : procedure is
         "VHPIDIRECT ./libguardbit_c.so guardbit_clock_logic";
+    procedure guardbit_divide_logic(
+        model : in integer; channel : in integer; acc : in word_t; acc_w : in word_t; code : out word_t);
+    attribute foreign of guardbit_divide_logic : procedure is
+        "VHPIDIRECT ./libguardbit_c.so guardbit_divide_logic";
 
     -- The name with the zero that ends it.
     function named(profile : string) return name_t;
@@ -41,6 +45,12 @@ package body guardbit_vhpi is
     begin
         report "the foreign procedure is not there" severity failure;
     end procedure guardbit_clock_logic;
+
+    procedure guardbit_divide_logic(
+        model : in integer; channel : in integer; acc : in word_t; acc_w : in word_t; code : out word_t) is
+    begin
+        report "the foreign procedure is not there" severity failure;
+    end procedure guardbit_divide_logic;
 
     function named(profile : string) return name_t is
         variable name : name_t := (others => nul);

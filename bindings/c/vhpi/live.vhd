@@ -27,7 +27,7 @@ begin
     run : process is
         variable seed1, seed2 : positive := 1;
         variable model, walk : integer;
-        variable want_acc, want_out : word_t;
+        variable want_acc, want_out, code : word_t;
 
         impure function random(bits : positive) return std_logic_vector is
             variable value : std_logic_vector(bits - 1 downto 0);
@@ -73,6 +73,13 @@ begin
                     & to_hstring(want_out) & ", got " & to_hstring(acc) & " " & to_hstring(out_v)
                 severity failure;
         end loop;
+        -- The quotient of u/w and 1/w with 8 bits below the binary point each: 124 of 41, 200 of 1/2.
+        model := guardbit_open(named("channels.toml"));
+        guardbit_divide_logic(
+            model, 1, word_t(to_unsigned(5084, 128)), word_t(to_unsigned(10496, 128)), code);
+        assert unsigned(code) = 124 report "5084 over 10496 is " & to_hstring(code) severity failure;
+        guardbit_divide_logic(model, 1, word_t(to_unsigned(100, 128)), word_t(to_unsigned(128, 128)), code);
+        assert unsigned(code) = 200 report "100 over 128 is " & to_hstring(code) severity failure;
         report "PASS clocks=" & integer'image(CLOCKS) severity note;
         std.env.finish(0);
         wait;

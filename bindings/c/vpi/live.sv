@@ -13,7 +13,9 @@ module live;
     );
 
     // A system function's value has no sign of its own.
-    integer model, walk, clocks, n, result;
+    integer model, walk, clocks, n, result, textured;
+    reg [16:0] over, inverse;
+    reg [7:0] code;
     reg [N-1:0] want_acc;
     reg [I-1:0] want_out;
 
@@ -41,6 +43,18 @@ module live;
                 $fatal(1, "device and model disagree");
             end
         end
+        // The quotient of u/w and 1/w with 8 bits below the binary point each: 124 of 41, 200 of 1/2.
+        textured = $guardbit_open("channels.toml");
+        over = 5084;
+        inverse = 10496;
+        result = $guardbit_divide(textured, 1, over, inverse, code);
+        if (result < 0 || code !== 124) $fatal(1, "5084 over 10496 is %0d", code);
+        over = 100;
+        inverse = 128;
+        result = $guardbit_divide(textured, 1, over, inverse, code);
+        if (result < 0 || code !== 200) $fatal(1, "100 over 128 is %0d", code);
+        result = $guardbit_divide(textured, 0, over, inverse, code);
+        if (result >= 0) $fatal(1, "an affine channel is divided");
         init = {N{1'bx}};
         result = $guardbit_clock(walk, 2'd0, init, dx, dy, want_acc, want_out);
         if (result >= 0) $fatal(1, "X is no error");

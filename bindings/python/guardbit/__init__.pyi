@@ -59,6 +59,11 @@ class Model:
         of words, or more than 4194304 records."""
     def depth_walk(self) -> Walk: ...
     def edge_walk(self) -> Walk: ...
+    def interpolator_walk(self, channel: str | None = None) -> Walk:
+        """The walk of a component of a channel, or of the component over w; of 1/w without a name. Its
+        read-out has the bits of its word: a negative one is 2^bits more."""
+    def divide(self, channel: str, acc: int, acc_w: int) -> int:
+        """The code for the accumulators of u/w and 1/w, each taken mod 2^width."""
 
 class Walk:
     """An accumulator with its read-out, or an edge word with its sign test, all zeros at first."""

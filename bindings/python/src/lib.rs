@@ -255,6 +255,33 @@ impl Model {
     fn edge_walk(&self) -> PyResult<Walk> {
         self.0.edge_walk().map(Walk).ok_or_else(|| refuse("this profile has no edge words"))
     }
+
+    #[pyo3(signature = (channel=None))]
+    fn interpolator_walk(&self, channel: Option<&str>) -> PyResult<Walk> {
+        let number = channel.map(|name| self.number(name)).transpose()?;
+        self.0.interpolator_walk(number).map(Walk).ok_or_else(|| {
+            let what = channel.unwrap_or("1/w");
+            refuse(format!("{what} is not walked by start and slopes in this profile"))
+        })
+    }
+
+    fn divide(&self, channel: &str, acc: i128, acc_w: i128) -> PyResult<i64> {
+        let divider = self.0.divider(self.number(channel)?);
+        let divider =
+            divider.ok_or_else(|| refuse(format!("{channel} is not divided by 1/w")))?;
+        Ok(divider.divide(acc, acc_w).code)
+    }
+}
+
+impl Model {
+    /// The number of a channel in the profile.
+    fn number(&self, name: &str) -> PyResult<usize> {
+        let ports = &self.0.ports().channels;
+        ports.iter().position(|port| port.name == name).ok_or_else(|| {
+            let names: Vec<&str> = ports.iter().map(|port| &*port.name).collect();
+            refuse(format!("no channel {name:?}: the profile has {}", names.join(", ")))
+        })
+    }
 }
 
 #[pyclass]

@@ -94,6 +94,26 @@ def test_channels_have_a_code_at_each_place(channels):
     assert nothing.zero_area and nothing.channels == {"color": [], "texcoord": [], "face": []}
 
 
+def test_units_of_channels(channels):
+    # 8 bits over 4: 256 is above the range, 384 and more is below 0.
+    color = channels.interpolator_walk("color")
+    assert color.width == 13
+    steps = [(0, 255), (1, 255), (2, 0)]
+    assert [color.clock(op, 255 << 4, 1 << 4, 128 << 4)[1] for op, _ in steps] == [out for _, out in steps]
+    # 1/w and u/w are read with their fraction.
+    assert channels.interpolator_walk().clock(0, 10496, 0, 0) == (10496, 10496)
+    assert channels.divide("texcoord", 5084, 10496) == 124
+    assert channels.divide("texcoord", 5084 + (1 << 17), 0) == 255
+    for call, says in [
+        (lambda: channels.interpolator_walk("face"), "face is not walked"),
+        (lambda: channels.interpolator_walk("fase"), "no channel \"fase\": the profile has color, texcoord, face"),
+        (lambda: channels.divide("color", 1, 1), "color is not divided"),
+        (lambda: guardbit.Model("tiny").interpolator_walk(), "1/w is not walked"),
+    ]:
+        with pytest.raises(ValueError, match=says):
+            call()
+
+
 def test_channels_of_reals_are_rounded_once(channels):
     values = {"color": [[0, 0], [1, 0], [0, 1]], "texcoord": [[0.5]] * 3, "face": [[0], [0], [1.0]]}
     drawing = channels.draw(real=[(0, 0), (4, 0), (0, 4)], channels=values, w=[1, 2, 4])

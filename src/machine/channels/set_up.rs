@@ -1,5 +1,6 @@
 //! A triangle's channels, set up, and their values along a run.
 
+use super::words::ComponentWords;
 use super::{Channel, Channels};
 use crate::bits::bounded;
 use crate::cover::SampleGrid;
@@ -225,5 +226,33 @@ impl Channel {
 
     fn is_constant(&self) -> bool {
         matches!(self.corrector.config().correction, Correction::ConstantW { .. })
+    }
+
+    /// What is behind the code of each component at pixel x of a run.
+    pub(super) fn words(
+        &self,
+        (set_up, place): (&SetUp, usize),
+        [y, x0, x1]: [u32; 3],
+        x: u32,
+    ) -> Vec<ComponentWords> {
+        let (at, length) = (&set_up.places[place], (x1 - x0) as usize);
+        let value = |carried: &dyn Carried, x: u32| match carried.run(y, x0, length) {
+            Accumulators::Line([start, step]) => start + step * i128::from(x - x0),
+            Accumulators::Each(all) => all[(x - x0) as usize],
+        };
+        let middle = x0 + (x1 - x0 - 1) / 2;
+        let w = self.inverse(at).map(|w| value(w, if self.is_constant() { middle } else { x }));
+        let words = |component: &Component| match component {
+            Component::Flat(_) => ComponentWords::Flat,
+            Component::Weighed(_) => {
+                let weights = set_up.weights(at.grid.position(x.into(), y.into()));
+                ComponentWords::Weighed(self.corrector.coordinates(weights))
+            }
+            Component::Carried(carried) => {
+                let over = value(&**carried, x);
+                w.map_or(ComponentWords::Affine(over), |w| ComponentWords::Divided([over, w]))
+            }
+        };
+        at.components[self.number].iter().map(words).collect()
     }
 }

@@ -9,10 +9,11 @@ use super::{
     TestBench,
 };
 use crate::case::Words;
-use crate::format::{Clamp, Column, Role, WordFormat};
+use crate::format::{Clamp, Column, ReadOut, Role, WordFormat};
+use crate::machine::ComponentWords;
 use crate::model::Model;
 use crate::setup::Triangle;
-use crate::value::VertexValues;
+use crate::value::{Corrector, Divided, VertexValues};
 use crate::vector::device::{ChannelDrawer, Stimulus};
 use crate::vector::table::{RowFormat, Table};
 use std::sync::Arc;
@@ -240,7 +241,56 @@ impl Bench for ChannelBench {
         format!("{}; codes {codes:?}{q}", self.triangles.at(at).describe())
     }
 
-    fn fields(&self, _: &str) -> Vec<(String, u32)> {
-        Vec::new()
+    fn behind(&self, at: TestAt, file: &FileSpec, row: &[u128]) -> Option<String> {
+        let number = self.answers.codes.iter().position(|codes| codes.stem == file.stem)?;
+        let word = |role: Role| {
+            let column = file.columns.iter().position(|c| c.name == role.pattern)?;
+            u32::try_from(row[column]).ok()
+        };
+        let sample = ([word(Role::X)?, word(Role::Y)?], word(Role::SAMPLE));
+        let (codes, inverse_w) = self.codes(at);
+        let values = self.model.values_in_order(&codes, inverse_w).ok()?;
+        let triangle = self.model.place(self.given(at)).ok()?;
+        let words = self.model.channel_words(&triangle, &values, number, sample)?;
+        let corrector = self.model.channels()?.corrector(number)?;
+        let text = corrector.config().components.iter().zip(words);
+        let text = text.map(|(component, words)| behind_component(corrector, component, words));
+        Some(text.collect::<Vec<_>>().join("; "))
+    }
+
+    fn fields(&self, column: &str) -> Vec<(String, u32)> {
+        let Some(channels) = self.model.channels().filter(|channels| channels.steps()) else {
+            return Vec::new();
+        };
+        channels.accumulator(column).map_or_else(Vec::new, super::accumulator_fields)
+    }
+}
+
+/// What stood behind a component's code.
+fn behind_component(corrector: &Corrector, component: &str, words: ComponentWords) -> String {
+    let fields = |read: ReadOut, word: i128| {
+        let word = word.cast_unsigned() & (u128::MAX >> (128 - read.width()));
+        super::in_fields(&super::accumulator_fields(read), word)
+    };
+    match words {
+        ComponentWords::Flat => format!("{component} of the provoking vertex"),
+        ComponentWords::Weighed(None) => format!("{component}: 1/w is 0"),
+        ComponentWords::Weighed(Some([b1, b2])) => {
+            format!("{component} at coordinates {b1} and {b2} of vertices 1 and 2")
+        }
+        ComponentWords::Affine(word) => {
+            format!("{component} accumulator {}", fields(corrector.read_out(), word))
+        }
+        ComponentWords::Divided([over, inverse]) => {
+            let Divided { p, q, reciprocal, value, .. } = corrector.division(over, inverse);
+            let w = corrector.w_read_out().map_or_else(String::new, |read| fields(read, inverse));
+            let unit = reciprocal.map_or_else(String::new, |unit| {
+                format!(", reciprocal {} by 2^-{}", unit.mantissa, unit.exponent)
+            });
+            format!(
+                "{component}/w accumulator {}, 1/w accumulator {w}, {p} over {q}{unit}: {value}",
+                fields(corrector.read_out(), over)
+            )
+        }
     }
 }

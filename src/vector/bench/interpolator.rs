@@ -9,9 +9,10 @@ use super::{
 use crate::case::walk::{self, RANDOM_ROWS, Walk};
 use crate::case::{Directed, Words, place};
 use crate::format::{Role, WordFormat};
+use crate::value::InterpolatorUnit;
 use crate::vector::device::Interpolates;
 use crate::vector::table::{RowFormat, Table};
-use crate::vector::units::{InterpolatorUnit, Units};
+use crate::vector::units::Units;
 
 /// Class of the words of random walks; a number of the unit is added.
 const WALKS: u64 = 32;

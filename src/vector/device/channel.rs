@@ -21,12 +21,9 @@ impl ChannelDrawer {
     /// What is drawn; nothing where a device of another profile does not take the codes.
     fn drawn(&self, test: &ChannelTest) -> Drawing {
         let mut drawing = Drawing::default();
-        let mut codes = test.codes.iter().copied();
-        let channels = self.model.profile().channel.iter().map(|channel| {
-            (channel.name.clone(), codes.by_ref().take(channel.components.len()).collect())
-        });
-        let channels: Vec<_> = channels.collect();
-        let Ok(values) = self.model.values(&channels, test.inverse_w) else { return drawing };
+        let Ok(values) = self.model.values_in_order(&test.codes, test.inverse_w) else {
+            return drawing;
+        };
         let drawn = self.model.place(test.triangle).is_ok_and(|triangle| {
             self.model.draw_own(Input::Shaded(&triangle, &values), &mut drawing)
         });

@@ -2,9 +2,9 @@
 
 use super::{Device, guard, signed};
 use crate::dda::Walker;
+use crate::value::InterpolatorUnit;
 use crate::vector::bench::{Coverage, Single, WalkTest};
 use crate::vector::table::Table;
-use crate::vector::units::InterpolatorUnit;
 
 /// Walks a component, or 1/w. Spec clauses `CH-2` and `D-4`.
 pub(in crate::vector) struct Interpolates(pub(in crate::vector) InterpolatorUnit);
@@ -13,7 +13,6 @@ impl Device<WalkTest> for Interpolates {
     fn answer(&mut self, test: &WalkTest, rows: &mut Single<Table>, met: &mut Coverage) {
         let Self(unit) = self;
         let (read, walk) = (unit.read, &test.walk);
-        let offset = unit.offset() << read.fraction();
         let [dx, dy] = [walk.dx, walk.dy].map(|word| signed(word, read.width()));
         let octant = Coverage::octant(dx, dy);
         let mut walker = Walker::new(read, walk.init, dx, dy);
@@ -21,11 +20,11 @@ impl Device<WalkTest> for Interpolates {
             let op = walk.op(n);
             walker.clock(op);
             let acc = walker.accumulator();
-            let seen = acc.wrapping_add(offset);
+            let seen = unit.seen(acc);
             let pattern = seen.cast_unsigned() & (u128::MAX >> (128 - read.width()));
             met.note(octant, read.zone(seen), Coverage::remainder(pattern, read.fraction()));
             met.note_guard(octant, guard(read, pattern));
-            rows.exp.push(&[op as i128, acc, i128::from(read.read(seen)) - unit.offset()]);
+            rows.exp.push(&[op as i128, acc, unit.out(acc)]);
         }
     }
 }

@@ -6,10 +6,10 @@ use super::stepper::{self, Stepper};
 use super::{Suspect, Suspects};
 use crate::dda::Op;
 use crate::format::{Clamp, ReadOut};
+use crate::value::InterpolatorUnit;
 use crate::vector::bench::{Coverage, InterpolatorBench, Single, WalkTest};
 use crate::vector::device::{Device, Interpolates};
 use crate::vector::table::Table;
-use crate::vector::units::InterpolatorUnit;
 
 const MODULE: &str = "interpolator";
 

@@ -4,7 +4,8 @@ use crate::format::ReadOut;
 use crate::profile::Profile;
 use crate::value::{Correction, Corrector, ReciprocalUnit, Refine};
 use crate::vector::package::UnitDevice;
-use crate::vector::units::{InterpolatorUnit, ReciprocalPort, Units};
+use crate::value::InterpolatorUnit;
+use crate::vector::units::{ReciprocalPort, Units};
 use std::fmt::Write as _;
 
 /// The most bits of an index of a table of one's own that a device takes as a parameter.
