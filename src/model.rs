@@ -17,7 +17,8 @@ pub use walk::{Divider, Walk};
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;
 use crate::machine::{
-    Channels, ComponentWords, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers, Sink, Site, Target,
+    Channels, ComponentWords, DrawError, Input, Lines, Machine, Multisampled, Ports, Registers,
+    Sink, Site, Target,
 };
 use crate::profile::{InvalidProfile, Profile};
 use crate::scene;

@@ -13,7 +13,7 @@ use super::output::{Output, write_text};
 use super::progress;
 use super::vectors::{parse_shard, threads};
 use guardbit::explore::field::{Field, Value};
-use guardbit::explore::fit::{Best, Least, Request, exhaustive, fit, least};
+use guardbit::explore::fit::{Best, FitError, Least, Request, exhaustive, fit, least};
 use guardbit::explore::metric::Metric;
 use guardbit::explore::space::{Axis, Point};
 use guardbit::explore::sweep::Sweep;
@@ -131,24 +131,14 @@ fn look_for_nothing(best: &Best, tolerances: &[Tolerance]) -> Result<(), Failure
     Ok(())
 }
 
-/// The search leaves budgets out by proofs about planes; machines that make depth by other means have
-/// none.
-fn refuse_own_depth(sweep: &guardbit::explore::sweep::Sweep) -> Result<(), Failure> {
-    let base = sweep.space.base();
-    let varied = sweep.space.axes().iter().filter(|axis| axis.field == Field::FORM);
-    let names = varied.flat_map(|axis| &axis.values).map(ToString::to_string);
-    let own = std::iter::once(base.form.name().to_owned()).chain(names).find(|name| {
-        base.with_machine(name).is_some_and(|p| p.depth.is_some() && !p.form.walks_a_plane())
-    });
-    match own {
-        Some(name) => {
-            let message = format!(
-                "form = {name}: this machine does not walk a depth plane, but the proofs of fit are about planes"
-            );
-            Err(Failure::input(message)
-                .hint("use `guardbit explore`: it measures every machine, budget by budget"))
-        }
-        None => Ok(()),
+/// An error of the search, with what to do.
+fn failed(error: FitError) -> Failure {
+    let own = matches!(error, FitError::OwnDepth(_));
+    let failure = Failure::input(error);
+    if own {
+        failure.hint("use `guardbit explore`: it measures every machine, budget by budget")
+    } else {
+        failure
     }
 }
 
@@ -164,7 +154,6 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         return Err(Failure::input(message).hint("the costs are area, area-prefix, delay, delay-prefix, adder-bits, register-bits, setup-bits, setup-area, setup-cycles and triangle-ns"));
     }
     let sweep = arguments.space.sweep(default_axes)?;
-    refuse_own_depth(&sweep)?;
     let tolerances = with_defaults(arguments.tolerances.clone());
     let metrics: Vec<Metric> = tolerances.iter().map(|tolerance| tolerance.metric).collect();
     check_channels(&sweep, &arguments.space.scenes, &metrics)?;
@@ -182,7 +171,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         announce(&sweep)?;
         let monitor = progress::monitor();
         let found = progress::watch("searching", &monitor, || {
-            fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(Failure::input)
+            fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(failed)
         })?;
         let Some(found) = found else {
             return Err(Failure::interrupted("interrupted: the search had no result yet"));
@@ -199,7 +188,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         write_text(path, &(text + "\n"))?;
     }
     if report.budget.is_none() && arguments.shard.is_none() {
-        return Err(impossible(&least(&request).map_err(Failure::input)?));
+        return Err(impossible(&least(&request).map_err(failed)?));
     }
     if let (Some(path), Some(index)) = (&arguments.profile_out, report.index)
         && let Ok(Point::Budget(profile)) = sweep.space.point(index)

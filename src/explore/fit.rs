@@ -21,7 +21,7 @@ pub use larger::Larger;
 pub use least::Least;
 pub use lesser::Lesser;
 
-use super::field::Value;
+use super::field::{Field, Value};
 use super::metric::Metric;
 use super::space::{Point, describe};
 use super::sweep::Sweep;
@@ -45,6 +45,32 @@ pub struct Request<'a> {
     pub robust: bool,
     /// The numbers to look at; all of the space, as a rule.
     pub numbers: Range<u64>,
+}
+
+/// Why nothing is searched.
+#[derive(Debug, thiserror::Error)]
+pub enum FitError {
+    /// A machine of the space makes depth by other means than a plane: the search measures planes.
+    #[error(
+        "form = {0}: this machine does not walk a depth plane, but the proofs of fit are about planes"
+    )]
+    OwnDepth(String),
+    /// A budget that validated cannot be built: never.
+    #[error(transparent)]
+    Profile(#[from] InvalidProfile),
+}
+
+impl Request<'_> {
+    /// Refuses a space with depth that is no plane.
+    fn check(&self) -> Result<(), FitError> {
+        let base = self.sweep.space.base();
+        let varied = self.sweep.space.axes().iter().filter(|axis| axis.field == Field::FORM);
+        let names = varied.flat_map(|axis| &axis.values).map(ToString::to_string);
+        let own = std::iter::once(base.form.name().to_owned()).chain(names).find(|name| {
+            base.with_machine(name).is_some_and(|p| p.depth.is_some() && !p.form.walks_a_plane())
+        });
+        own.map_or(Ok(()), |name| Err(FitError::OwnDepth(name)))
+    }
 }
 
 /// How budgets were dealt with.
@@ -148,8 +174,9 @@ pub struct Fit {
 /// now and then; `None` when it said no.
 ///
 /// # Errors
-/// [`InvalidProfile`] if a budget that validated cannot be built: never.
-pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit>, InvalidProfile> {
+/// [`FitError`] names the machine whose depth is no plane.
+pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit>, FitError> {
+    request.check()?;
     let groups = by_stage(request)?;
     let budgets = groups.iter().map(|group| group.len() as u64).sum();
     let mut judge = Judge::new(request.sweep, &request.tolerances);
@@ -207,7 +234,8 @@ pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit
 /// For each tolerance the least that its figure comes to in the space, on its own.
 ///
 /// # Errors
-/// [`InvalidProfile`] if a budget that validated cannot be built: never.
-pub fn least(request: &Request<'_>) -> Result<Vec<Least>, InvalidProfile> {
-    least::least(request)
+/// [`FitError`] as for [`fit`].
+pub fn least(request: &Request<'_>) -> Result<Vec<Least>, FitError> {
+    request.check()?;
+    Ok(least::least(request)?)
 }

@@ -78,12 +78,15 @@ pub fn report(profile: &Profile) -> Result<Report, InvalidProfile> {
         facts.extend([
             fact("resolution", &format!("2^-{} ULP", depth.interpolation)),
             fact("rounding", &depth.rounding),
-            fact(
-                "below half an ULP",
-                &format!("for {} steps", steps_below_half(depth.interpolation, depth.rounding)),
-            ),
-            fact("longest walk", &format!("{longest} steps")),
         ]);
+        if profile.form.walks_a_plane() {
+            let steps = steps_below_half(depth.interpolation, depth.rounding);
+            facts.push(fact("below half an ULP", &format!("for {steps} steps")));
+            facts.push(fact("longest walk", &format!("{longest} steps")));
+        } else {
+            let own = "no plane is walked: compare and explore measure this machine's own error";
+            facts.push(fact("half an ULP", &own));
+        }
         words.push(Word {
             name: "depth".to_owned(),
             width: read.width(),

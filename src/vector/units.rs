@@ -4,7 +4,8 @@
 use crate::model::Model;
 use crate::profile::Profile;
 use crate::value::{
-    AttributeConfig, Correction, Corrector, EvaluatedAt, InterpolatorUnit, ReciprocalUnit, StartBias,
+    AttributeConfig, Correction, Corrector, EvaluatedAt, InterpolatorUnit, ReciprocalUnit,
+    StartBias,
 };
 
 /// Who walks the plane of 1/w. No channel has such a name: a name of a channel has no `-`.

@@ -144,6 +144,26 @@ fn every_machine_of_edge_words_has_the_answer_of_measuring_everything() {
     assert!(found >= 12, "{found}");
 }
 
+/// Clause Q-9: the search measures planes, and refuses machines that make depth by other means.
+#[test]
+fn machines_without_a_plane_are_refused() {
+    for name in ["gouraud", "barycentric"] {
+        let base = toy().with_machine(name).unwrap();
+        let mut words = Words::new(31, 5, 0);
+        let sweep = sweep(&base, &["interpolation=3..8"], random_triangles(&mut words, &base));
+        let request = request(&sweep, &["depth-worst=0.6"], "area");
+        let errors = [fit(&request, &|| true).err(), least(&request).err()];
+        for error in errors {
+            assert_eq!(
+                error.unwrap().to_string(),
+                format!(
+                    "form = {name}: this machine does not walk a depth plane, but the proofs of fit are about planes"
+                )
+            );
+        }
+    }
+}
+
 #[test]
 fn meshes_have_the_same_answer_and_hardly_any_whole_measurement() {
     let mut base = load("sgi-4k").unwrap();

@@ -200,3 +200,25 @@ fn an_evaluator_is_needed_when_something_depends_on_it() {
     // The window has 9 x 7 pixels, the field 16.
     assert!(needed(&found([[0, 0], [60, 0], [0, 12]], [0, 0, 0], None), "scissor"));
 }
+
+/// Clause M-8: a machine that walks no depth plane has no statement of guard and interpolation bits.
+#[test]
+fn no_bound_of_a_plane_is_stated_for_other_means() {
+    let triangle = scene::Triangle::Lattice { xy: [[0, 0], [32, 0], [0, 24]], z: Some([0, 7, 3]) };
+    let of = |name: &str| {
+        let profile = base().with_machine(name).unwrap();
+        let scene = scene_of(vec![triangle.clone()], None);
+        let found = require(&Reference::new(scene, &profile), &profile).unwrap();
+        let fields = found.bits.iter().map(|bits| bits.field).collect::<Vec<_>>();
+        let words = guardbit::measure::budget::report(&profile).unwrap().words;
+        let depth = words.into_iter().find(|word| word.name == "depth").unwrap();
+        (fields, depth.facts.iter().any(|fact| fact.name == "longest walk"))
+    };
+    for name in ["gouraud", "barycentric"] {
+        let (fields, walk) = of(name);
+        assert!(fields.contains(&"integer") && !walk, "{name}: {fields:?}");
+        assert!(!fields.contains(&"interpolation") && !fields.contains(&"guard"), "{fields:?}");
+    }
+    let (fields, walk) = of("edge-function");
+    assert!(fields.contains(&"interpolation") && fields.contains(&"guard") && walk);
+}

@@ -107,7 +107,8 @@ fn verilator_channels(verilator: &str) {
         .into_iter()
         .chain(devices)
         .collect();
-    let options = ["--binary", "-Wno-fatal", "--top-module", "live_channels", "-j", "2", "-o", "sim"];
+    let options =
+        ["--binary", "-Wno-fatal", "--top-module", "live_channels", "-j", "2", "-o", "sim"];
     let mut all = options.to_vec();
     all.extend(files.iter().map(String::as_str));
     all.extend([&*archive, "-LDFLAGS", "-lpthread -ldl"]);

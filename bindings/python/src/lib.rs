@@ -267,8 +267,7 @@ impl Model {
 
     fn divide(&self, channel: &str, acc: i128, acc_w: i128) -> PyResult<i64> {
         let divider = self.0.divider(self.number(channel)?);
-        let divider =
-            divider.ok_or_else(|| refuse(format!("{channel} is not divided by 1/w")))?;
+        let divider = divider.ok_or_else(|| refuse(format!("{channel} is not divided by 1/w")))?;
         Ok(divider.divide(acc, acc_w).code)
     }
 }

@@ -10,7 +10,7 @@ use crate::setup::Division;
 
 /// Whether every tolerance is proved to be met. The bound is for exact quotients under the guard
 /// clamp with a guard bit: with n roundings of at most e on the longest walk to a sample no error
-/// exceeds n e, and below one ULP no value leaves the guard range.
+/// exceeds n e, and below one ULP no value leaves the guard range. Depth is a plane: [`super::FitError`].
 pub(super) fn meets(
     stages: &[Stage],
     drawn: &[Drawn],

@@ -90,7 +90,11 @@ fn take(to: &mut [Vec<i64>], from: &[Vec<i64>], pixel: usize) {
 
 impl Channels {
     /// The place of a pixel that is evaluated at its centroid. Spec clause `CH-7`.
-    pub(super) fn centroid(&self, mask: u32, (centre, samples, count): (usize, usize, u32)) -> usize {
+    pub(super) fn centroid(
+        &self,
+        mask: u32,
+        (centre, samples, count): (usize, usize, u32),
+    ) -> usize {
         if mask.count_ones() == count {
             return centre;
         }

@@ -72,8 +72,7 @@ impl Channels {
             }
         };
         let turned = triangle.area2() < 0;
-        let set_up =
-            self.set_up(machine.carrier()?, &normalised, values, turned, &|n| n == number);
+        let set_up = self.set_up(machine.carrier()?, &normalised, values, turned, &|n| n == number);
         Some(channel.words((&set_up, place), find.run?, pixel[0]))
     }
 

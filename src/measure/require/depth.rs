@@ -36,6 +36,11 @@ pub(super) fn require(stage: &Stage, profile: &Profile, found: &mut Requirements
         let evidence = format!("a depth of {most} in {}", triangle(face));
         found.bits.push(Bits { field: "integer", needs, has: config.integer, evidence });
     }
+    if !profile.form.walks_a_plane() {
+        // Bits of interpolation and guard follow from the accumulators of a plane.
+        found.evaluators.push(own_means(stage, profile));
+        return;
+    }
     if let Some((steps, place)) = walks.high {
         let needs = fraction_bits(steps, config.rounding);
         let evidence = format!(
@@ -74,6 +79,17 @@ fn plane(stage: &Stage) -> Evaluator {
             evidence: "depth is constant over each triangle that covers a sample".to_owned(),
         },
     }
+}
+
+/// Depth as a machine makes it that walks no plane.
+fn own_means(stage: &Stage, profile: &Profile) -> Evaluator {
+    let Evaluator { name, needed, evidence } = plane(stage);
+    let machine = profile.form.name();
+    let evidence = format!(
+        "{evidence}; {machine} makes it by its own means, so bits of interpolation and guard are not stated: \
+         compare and explore measure them"
+    );
+    Evaluator { name, needed, evidence }
 }
 
 /// Whether any sample is covered twice: without that nothing has to be compared.

@@ -2,9 +2,9 @@
 
 use crate::format::ReadOut;
 use crate::profile::Profile;
+use crate::value::InterpolatorUnit;
 use crate::value::{Correction, Corrector, ReciprocalUnit, Refine};
 use crate::vector::package::UnitDevice;
-use crate::value::InterpolatorUnit;
 use crate::vector::units::{ReciprocalPort, Units};
 use std::fmt::Write as _;
 
