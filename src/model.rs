@@ -10,7 +10,7 @@ mod walk;
 
 pub use fill::Raster;
 pub use primitive::{Primitive, PrimitiveError};
-pub use quads::QuadError;
+pub use quads::{PixelDetail, QuadError};
 pub use record::{Drawing, Records, Span};
 pub use walk::{Divider, Walk};
 

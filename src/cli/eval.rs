@@ -6,7 +6,7 @@ use super::Outcome;
 use super::failure::Failure;
 use bias::Models;
 use guardbit::machine::{Registers, Sink};
-use guardbit::model::{Drawing, Model, Primitive, PrimitiveError, Records, View};
+use guardbit::model::{Drawing, Model, PixelDetail, Primitive, PrimitiveError, Records, View};
 use guardbit::profile;
 use guardbit::scene::lines;
 use std::fmt::Write as _;
@@ -131,10 +131,14 @@ fn reply(
     drawing.clear();
     let drawn = match primitive.words() {
         Some(words) => reply_records(model, &primitive, words, id, answer),
-        None => model
-            .draw(&primitive, drawing)
-            .map(|()| write_answer(answer, id, (model, drawing), given))
-            .map_err(|error| error.to_string()),
+        None => model.draw(&primitive, drawing).map_err(|error| error.to_string()).and_then(|()| {
+            let details = primitive.shaded().map_or(Ok(Vec::new()), |(triangle, values)| {
+                model.details(triangle, values, drawing)
+            });
+            let details = details.map_err(|error| error.to_string())?;
+            write_answer(answer, id, (model, drawing, &details), given);
+            Ok(())
+        }),
     };
     match drawn {
         Ok(()) => true,
@@ -194,7 +198,7 @@ fn reply_records(
 fn write_answer(
     answer: &mut String,
     id: Option<&str>,
-    (model, drawing): (&Model, &Drawing),
+    (model, drawing, details): (&Model, &Drawing, &[Vec<PixelDetail>]),
     [has_depth, has_channels]: [bool; 2],
 ) {
     let _ = write!(answer, "{{\"id\": {}, \"rows\": [", id.unwrap_or("null"));
@@ -213,6 +217,7 @@ fn write_answer(
     }
     if has_channels {
         write_channels(answer, model, drawing);
+        write_details(answer, model, details);
     }
     if !drawing.masks.is_empty() {
         answer.push_str(", \"masks\": [");
@@ -248,6 +253,21 @@ fn write_channels(answer: &mut String, model: &Model, drawing: &Drawing) {
             let _ = write!(answer, "{comma}[{}]", codes.join(", "));
         }
         answer.push(']');
+    }
+    answer.push('}');
+}
+
+/// `"detail": {"texcoord": [56, ...]}`: the levels at the covered pixels, run by run.
+fn write_details(answer: &mut String, model: &Model, details: &[Vec<PixelDetail>]) {
+    if details.is_empty() {
+        return;
+    }
+    answer.push_str(", \"detail\": {");
+    let channels = model.profile().channel.iter().filter(|channel| channel.detail.is_some());
+    for (n, (channel, pixels)) in channels.zip(details).enumerate() {
+        let comma = if n == 0 { "" } else { ", " };
+        let levels: Vec<String> = pixels.iter().map(|pixel| pixel.level.to_string()).collect();
+        let _ = write!(answer, "{comma}\"{}\": [{}]", channel.name, levels.join(", "));
     }
     answer.push('}');
 }

@@ -118,6 +118,15 @@ impl Channels {
                 }
             };
             let corrector = Corrector::new(config, w, vertex)?;
+            if config.detail.is_some() {
+                let name = config.name.clone();
+                if !carrier.steps() {
+                    return Err(AttributeError::DetailMachine(name));
+                }
+                if !matches!(places, Places::One(_)) {
+                    return Err(AttributeError::DetailPlace(name));
+                }
+            }
             let words = CarriedWords {
                 read: corrector.read_out(),
                 rounding: config.rounding,

@@ -39,6 +39,11 @@ impl<'a> From<&'a Primitive> for Input<'a> {
 }
 
 impl Primitive {
+    /// A triangle with what its vertices bring for channels.
+    pub fn shaded(&self) -> Option<(&Snapped<Triangle>, &VertexValues)> {
+        if let Kind::Shaded(triangle, values) = &self.0 { Some((triangle, values)) } else { None }
+    }
+
     /// The register words of a machine that begins there.
     pub fn words(&self) -> Option<&[u32]> {
         if let Kind::Words(words) = &self.0 { Some(words) } else { None }

@@ -4,7 +4,9 @@
 use super::{Drawing, Model, Span};
 use crate::machine::{Carrier, DrawError, Input};
 use crate::setup::{Snapped, Triangle};
-use crate::value::{Correction, EvaluatedAt, Quad, VertexValues};
+use crate::value::{
+    AttributeConfig, Correction, Detail, DetailConfig, EvaluatedAt, Quad, VertexValues,
+};
 use std::collections::BTreeMap;
 
 /// Why a triangle has no quads.
@@ -28,7 +30,51 @@ pub enum QuadError {
     Draw(#[from] DrawError),
 }
 
+/// What a texture unit would take at a pixel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PixelDetail {
+    /// Column.
+    pub x: u32,
+    /// Row.
+    pub y: u32,
+    /// Differences of the two coordinates, each to the right and downward.
+    pub differences: [[i64; 2]; 2],
+    /// The level, in units of `2^-fraction`.
+    pub level: u64,
+}
+
 impl Model {
+    /// The level of detail at each covered pixel of a drawing, in its order, for each channel of the profile
+    /// with [`crate::value::AttributeConfig::detail`], in theirs. Spec clause `CH-21`.
+    ///
+    /// # Errors
+    /// [`QuadError`] for a triangle that is not drawn.
+    pub fn details(
+        &self,
+        triangle: &Snapped<Triangle>,
+        values: &VertexValues,
+        drawing: &Drawing,
+    ) -> Result<Vec<Vec<PixelDetail>>, QuadError> {
+        let channels = self.profile.channel.iter();
+        let details = channels.filter_map(|channel| {
+            let config = channel.detail?;
+            Some((channel, config, config.unit().ok()?))
+        });
+        let of_channel = |(channel, config, unit): (&AttributeConfig, DetailConfig, Detail)| {
+            let quads = self.quads(triangle, values, &channel.name)?;
+            let quads: BTreeMap<_, _> = quads.iter().map(|quad| ((quad.y, quad.x), quad)).collect();
+            let pixels = drawing.spans.iter().flat_map(|run| (run.x0..run.x1).map(|x| (x, run.y)));
+            let detail = |(x, y): (u32, u32)| {
+                let quad = quads.get(&(y & !1, x & !1))?;
+                let pixel = (y % 2 * 2 + x % 2) as usize;
+                let differences = [0, 1].map(|n| quad.derivatives(n, config.derivatives)[pixel]);
+                Some(PixelDetail { x, y, differences, level: unit.level(differences) })
+            };
+            Ok(pixels.filter_map(detail).collect())
+        };
+        details.map(of_channel).collect()
+    }
+
     /// The quads of a triangle that have a covered pixel, in y then x order, with the codes of a channel.
     ///
     /// # Errors

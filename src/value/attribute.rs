@@ -8,6 +8,7 @@ pub use check::validate_channels;
 pub use error::AttributeError;
 
 use super::depth::StartBias;
+use super::lod::DetailConfig;
 use super::reciprocal::ReciprocalConfig;
 use crate::bits::Rounding;
 use crate::format::Clamp;
@@ -55,6 +56,9 @@ pub struct AttributeConfig {
     /// The code of the real number 1 of a scene; the largest code when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub unit: Option<u32>,
+    /// The level of detail of a texture of two coordinates, from the differences of the codes in a quad.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub detail: Option<DetailConfig>,
     /// The name of the values in a scene, where it is not the channel's own.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<String>,

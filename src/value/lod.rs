@@ -2,6 +2,9 @@
 //! `CH-21`.
 
 use crate::bits::bounded;
+#[cfg(feature = "verification")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 /// The codes of a channel in a quad: two by two pixels, the upper left one with even x and y.
 ///
@@ -19,11 +22,14 @@ pub struct Quad {
 }
 
 /// Which differences a quad makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
 pub enum Derivatives {
     /// Those of each row and of each column.
     Fine,
     /// Those of the upper row and of the left column, for all four pixels.
+    #[default]
     Coarse,
 }
 
@@ -47,7 +53,9 @@ impl Quad {
 }
 
 /// How the length of an axis is found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
 pub enum AxisLength {
     /// The larger part plus half of the smaller one.
     LargerAndHalf,
@@ -56,12 +64,17 @@ pub enum AxisLength {
 }
 
 /// A unit for the level of detail of a texture of two coordinates.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub struct DetailConfig {
     /// Texels of level 0 along the two coordinates, 1 to 65536 each.
     pub texels: [u32; 2],
     /// The code at the far side of the texture, at least 1.
     pub unit: u32,
+    /// Which differences count.
+    #[serde(default)]
+    pub derivatives: Derivatives,
     /// How the length of an axis is found.
     pub length: AxisLength,
     /// Bits of a level below the binary point, 0 to 16.
@@ -110,20 +123,28 @@ impl DetailConfig {
 }
 
 impl Detail {
+    /// Bits of a level.
+    pub fn width(&self) -> u32 {
+        let DetailConfig { fraction, levels, .. } = self.0;
+        (u64::BITS - (u64::from(levels) << fraction).leading_zeros()).max(1)
+    }
+
     /// The level, in units of `2^-fraction`, for the differences `[to the right, downward]` of the two
     /// coordinates, of at most 33 bits each. Spec clause `CH-21`.
     ///
     /// ```
-    /// use guardbit::value::{AxisLength, DetailConfig};
+    /// use guardbit::value::{AxisLength, Derivatives, DetailConfig};
     /// let length = AxisLength::LargerAndHalf;
-    /// let config = DetailConfig { texels: [1024; 2], unit: 256, length, fraction: 4, levels: 10 };
+    /// let derivatives = Derivatives::Coarse;
+    /// let config =
+    ///     DetailConfig { texels: [1024; 2], unit: 256, derivatives, length, fraction: 4, levels: 10 };
     /// let unit = config.unit().map_err(|error| error.to_string())?;
     /// // 3 codes are 12 texels: 3 1/2 for a logarithm of 3.58.
     /// assert_eq!(unit.level([[3, 0], [0, 1]]), 3 * 16 + 8);
     /// # Ok::<(), String>(())
     /// ```
     pub fn level(&self, differences: [[i64; 2]; 2]) -> u64 {
-        let DetailConfig { texels, unit, length, fraction, levels } = self.0;
+        let DetailConfig { texels, unit, derivatives: _, length, fraction, levels } = self.0;
         let axis = |n: usize| {
             let [u, v] = [0, 1]
                 .map(|k| u128::from(differences[k][n].unsigned_abs()) * u128::from(texels[k]));

@@ -51,6 +51,7 @@ pub(in crate::vector) fn divides(channel: &AttributeConfig) -> AttributeConfig {
         rounding: crate::bits::Rounding::Floor,
         division: crate::setup::Division::Quotient,
         unit: None,
+        detail: None,
         source: None,
         correction,
         ..channel.clone()
@@ -72,9 +73,9 @@ impl Units {
         if steps
             && profile.channel.iter().any(|channel| walked(&channel))
             && let Some(read) = w.and_then(|w| w.validate(&profile.vertex).ok())
+            && let Some(unit) = InterpolatorUnit::new(read, false, true)
         {
-            let unit = InterpolatorUnit::new(read, false, true);
-            unit.into_iter().for_each(|unit| units.interpolates(INVERSE_W, unit));
+            units.interpolates(INVERSE_W, unit);
         }
         for channel in &profile.channel {
             let Ok(corrector) = Corrector::new(channel, w, &profile.vertex) else { continue };

@@ -86,6 +86,31 @@ fn eval_answers_with_codes() {
     assert!(status == Some(2) && out.contains("has no [[channel]]"), "{out}");
 }
 
+/// Clause CH-21 by hand: u rises by 16 a pixel to the right, v by 8 a pixel downward. With 64 texels for 64 codes
+/// the longer axis has 16 texels, so the level is 4, in quarters 16.
+#[test]
+fn levels_of_detail_are_answered_and_filed() {
+    let home = tempfile::tempdir().unwrap();
+    let tiny = guardbit::profile::load("tiny").unwrap().to_toml();
+    let rest = "correction = \"affine\"\ndetail = { texels = [64, 64], unit = 64, length = \"exact\", fraction = 2, levels = 6 }";
+    let text = tiny + &channel("texcoord", r#"["u", "v"]"#, 4, rest);
+    std::fs::write(home.path().join("p.toml"), text).unwrap();
+    let line = r#"{"v":[[0,0],[8,0],[0,8]],"channels":{"texcoord":[[0,0],[64,0],[0,32]]}}"#;
+    let (status, out) = eval(home.path(), "p.toml", line);
+    assert_eq!(status, Some(0), "{out}");
+    let answer: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(answer["detail"], serde_json::json!({"texcoord": [16, 16, 16, 16, 16, 16]}));
+    let scene = format!("{line}\n");
+    std::fs::write(home.path().join("s.jsonl"), scene).unwrap();
+    run_in(home.path(), "vectors p.toml --scene s.jsonl --count 600 --out set").ends(0);
+    run_in(home.path(), "verify set --recompute").ends(0);
+    let file = home.path().join("set/channel-texcoord-detail.exp.tv");
+    let rows = tv_rows(&std::fs::read_to_string(file).unwrap());
+    // The test of the scene: its number, y and x of a pixel, and 16 0 0 8 by 9 bits, 16 by 5.
+    let wanted = rows.iter().filter(|row| row[3..] == [16, 0, 0, 8, 16]);
+    assert_eq!(wanted.count(), 6);
+}
+
 /// Clauses CH-13 and CH-15: the words of a set are those of the planes of its own vertices, and dumps of
 /// typical faults are called by name.
 #[test]

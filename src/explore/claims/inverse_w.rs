@@ -157,6 +157,7 @@ fn corrector(integer: u32, fraction: u32) -> Option<Corrector> {
         at: EvaluatedAt::Sample,
         correction: Correction::Quotient { rounding },
         unit: None,
+        detail: None,
         source: None,
     };
     Corrector::new(&channel, Some(&w), &vertex).ok()

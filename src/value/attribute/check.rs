@@ -108,6 +108,7 @@ impl AttributeConfig {
         if let Some(unit) = self.unit.filter(|unit| *unit == 0 || u64::from(*unit) > most) {
             return Err(AttributeError::Unit { name, unit, most });
         }
+        self.check_detail()?;
         self.division.validate().map_err(|error| AttributeError::Division(name.clone(), error))?;
         let affine = matches!(self.correction, Correction::Affine);
         if !affine && self.division != Division::Quotient {
@@ -135,6 +136,22 @@ impl AttributeConfig {
             self.correction.validate(self, w, vertex)?;
         }
         Ok(read)
+    }
+}
+
+impl AttributeConfig {
+    /// The level of detail as far as the channel itself decides. Spec clauses `CH-20` and `CH-21`.
+    fn check_detail(&self) -> Result<(), AttributeError> {
+        let Some(detail) = self.detail else { return Ok(()) };
+        let (name, got) = (self.name.clone(), self.components.len());
+        if got != 2 {
+            return Err(AttributeError::DetailComponents { name, got });
+        }
+        if matches!(self.correction, Correction::Flat { .. } | Correction::ConstantW { .. }) {
+            return Err(AttributeError::DetailPlace(name));
+        }
+        detail.unit().map_err(|error| AttributeError::Detail(name, error))?;
+        Ok(())
     }
 }
 

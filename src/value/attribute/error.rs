@@ -3,6 +3,7 @@
 use super::COMPONENTS;
 use crate::format::ReadOutError;
 use crate::setup::DivisionError;
+use crate::value::lod::DetailError;
 use crate::value::reciprocal::ReciprocalError;
 
 /// A channel, or a plane of 1/w, that cannot be.
@@ -41,6 +42,31 @@ pub enum AttributeError {
         /// How many.
         got: usize,
     },
+    /// A level of detail of other than two coordinates.
+    #[error(
+        "channel {name:?}: detail: a texture has 2 coordinates, the channel has {got} components"
+    )]
+    DetailComponents {
+        /// The channel.
+        name: String,
+        /// How many.
+        got: usize,
+    },
+    /// A unit for the level of detail that cannot be built.
+    #[error("channel {0:?}: detail: {1}")]
+    Detail(String, DetailError),
+    /// A level of detail where there are no helpers.
+    #[error(
+        "channel {0:?}: detail: quads need one place in a pixel (`at`) and a correction that is neither flat nor \
+         constant-w"
+    )]
+    DetailPlace(String),
+    /// A level of detail on a machine without helpers.
+    #[error(
+        "channel {0:?}: detail: this machine has values only where it covers; quads need a machine that walks \
+         planes, such as edge-function"
+    )]
+    DetailMachine(String),
     /// Too many in all channels.
     #[error("{0} components in all channels: at most {COMPONENTS} are allowed")]
     Total(usize),

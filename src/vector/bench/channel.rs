@@ -167,7 +167,23 @@ fn answers(model: &Model) -> ChannelAnswers<FileSpec> {
         key.extend(channel.by_sample.then(|| Role::SAMPLE.column(WordFormat::unsigned(5))));
         FileSpec::keyed(format!("channel-{}.exp", channel.name), key, channel.components.clone())
     });
+    let details = model.profile().channel.iter().filter_map(|channel| {
+        let unit = channel.detail?.unit().ok()?;
+        let difference = WordFormat::signed(channel.integer + 1);
+        let mut columns: Vec<Column> = Vec::new();
+        for (end, way) in [("dx", "to the right"), ("dy", "downward")] {
+            columns.extend(channel.components.iter().map(|component| {
+                let meaning = format!("{component}, difference {way} in the quad.");
+                difference.column(format!("{component}_{end}"), meaning)
+            }));
+        }
+        let level = WordFormat::unsigned(unit.width()).fraction(channel.detail?.fraction);
+        columns.push(level.column("level".to_owned(), "Level of detail.".to_owned()));
+        let name = format!("channel-{}-detail.exp", channel.name);
+        Some(FileSpec::keyed(name, place_columns(PIXEL), columns))
+    });
     ChannelAnswers {
+        details: details.collect(),
         setup: FileSpec::keyed("channel-setup.exp", place_columns(&[]), own),
         codes: codes.collect(),
     }

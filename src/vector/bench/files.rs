@@ -44,6 +44,8 @@ pub struct ChannelAnswers<T> {
     pub setup: T,
     /// Codes at covered samples, a file for each channel.
     pub codes: Vec<T>,
+    /// Differences and levels at covered pixels, a file for each channel with a level of detail.
+    pub details: Vec<T>,
 }
 
 /// The files of a machine that begins at registers.
@@ -97,18 +99,22 @@ impl<T> ShapeAnswers<T> {
 impl<T> ChannelAnswers<T> {
     /// The files in order.
     pub fn list(&self) -> Vec<&T> {
-        std::iter::once(&self.setup).chain(&self.codes).collect()
+        std::iter::once(&self.setup).chain(&self.codes).chain(&self.details).collect()
     }
 
     /// The same with something made of each file.
     pub fn map<U>(&self, make: impl Fn(&T) -> U) -> ChannelAnswers<U> {
-        ChannelAnswers { setup: make(&self.setup), codes: self.codes.iter().map(make).collect() }
+        ChannelAnswers {
+            setup: make(&self.setup),
+            codes: self.codes.iter().map(&make).collect(),
+            details: self.details.iter().map(&make).collect(),
+        }
     }
 }
 
 impl Answers for ChannelAnswers<Table> {
     fn tables(&mut self) -> Vec<&mut Table> {
-        std::iter::once(&mut self.setup).chain(&mut self.codes).collect()
+        std::iter::once(&mut self.setup).chain(&mut self.codes).chain(&mut self.details).collect()
     }
 }
 

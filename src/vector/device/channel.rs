@@ -2,7 +2,7 @@
 
 use super::Device;
 use crate::machine::Input;
-use crate::model::{Drawing, Model};
+use crate::model::{Drawing, Model, PixelDetail};
 use crate::vector::bench::{ChannelAnswers, ChannelTest, Coverage};
 use crate::vector::table::Table;
 use std::sync::Arc;
@@ -18,25 +18,25 @@ impl ChannelDrawer {
         Self { model }
     }
 
-    /// What is drawn; nothing where a device of another profile does not take the codes.
-    fn drawn(&self, test: &ChannelTest) -> Drawing {
+    /// What is drawn, and the levels of detail; nothing where a device of another profile does not take the
+    /// codes.
+    fn drawn(&self, test: &ChannelTest) -> (Drawing, Vec<Vec<PixelDetail>>) {
         let mut drawing = Drawing::default();
         let Ok(values) = self.model.values_in_order(&test.codes, test.inverse_w) else {
-            return drawing;
+            return (drawing, Vec::new());
         };
-        let drawn = self.model.place(test.triangle).is_ok_and(|triangle| {
-            self.model.draw_own(Input::Shaded(&triangle, &values), &mut drawing)
+        let details = self.model.place(test.triangle).ok().and_then(|triangle| {
+            let drawn = self.model.draw_own(Input::Shaded(&triangle, &values), &mut drawing);
+            drawn.then(|| self.model.details(&triangle, &values, &drawing).ok())?
         });
-        if !drawn {
-            drawing.clear();
-        }
-        drawing
+        let Some(details) = details else { return (Drawing::default(), Vec::new()) };
+        (drawing, details)
     }
 }
 
 impl Device<ChannelTest> for ChannelDrawer {
     fn answer(&mut self, test: &ChannelTest, rows: &mut ChannelAnswers<Table>, _: &mut Coverage) {
-        let drawing = self.drawn(test);
+        let (drawing, details) = self.drawn(test);
         let number = i128::from(test.test);
         let own = self.model.channels().map_or(0, |channels| channels.columns().len());
         let mut words = drawing.raw_setup();
@@ -68,6 +68,15 @@ impl Device<ChannelTest> for ChannelDrawer {
                 }
             } else {
                 pixels().for_each(|(y, x)| push(y, x, None));
+            }
+        }
+        for (pixels, table) in details.iter().zip(&mut rows.details) {
+            for PixelDetail { x, y, differences: [u, v], level } in pixels {
+                let differences = [u[0], v[0], u[1], v[1]].map(i128::from);
+                let mut row = vec![number, (*y).into(), (*x).into()];
+                row.extend(differences);
+                row.push((*level).into());
+                table.push(&row);
             }
         }
     }

@@ -105,7 +105,15 @@ fn level(config: &DetailConfig, d: [[i64; 2]; 2]) -> u64 {
 fn levels_are_near_the_logarithm() {
     for length in [AxisLength::LargerAndHalf, AxisLength::Exact] {
         for unit in [5, 7, 8] {
-            let config = DetailConfig { texels: [64, 16], unit, length, fraction: 5, levels: 5 };
+            let derivatives = Derivatives::Fine;
+            let config = DetailConfig {
+                texels: [64, 16],
+                unit,
+                derivatives,
+                length,
+                fraction: 5,
+                levels: 5,
+            };
             let built = config.unit().unwrap();
             // What the linear mantissa loses, and what the length gains.
             let (step, mantissa) = (1.0 / 32.0, 0.0861);
@@ -144,7 +152,9 @@ fn what_cannot_be_is_refused_by_name() {
     let [.., constant] = corrections();
     assert_eq!(quads(&with(constant, false), "c"), Err(QuadError::Place("c".to_owned())));
     let length = AxisLength::Exact;
-    let good = DetailConfig { texels: [1; 2], unit: 1, length, fraction: 16, levels: 31 };
+    let derivatives = Derivatives::Coarse;
+    let good =
+        DetailConfig { texels: [1; 2], unit: 1, derivatives, length, fraction: 16, levels: 31 };
     assert!(good.unit().is_ok());
     for bad in [
         DetailConfig { texels: [1, 65_537], ..good },
@@ -156,4 +166,84 @@ fn what_cannot_be_is_refused_by_name() {
     }
     let most = i64::from(u32::MAX);
     assert_eq!(good.unit().unwrap().level([[most, -most]; 2]), 31 << 16);
+}
+
+/// The channel `c` of the toy with a level of detail.
+fn detailed(derivatives: Derivatives) -> guardbit::profile::Profile {
+    let mut profile = toy();
+    let length = AxisLength::Exact;
+    let detail =
+        DetailConfig { texels: [64, 16], unit: 15, derivatives, length, fraction: 3, levels: 6 };
+    profile.channel[0].detail = Some(detail);
+    profile
+}
+
+/// Clauses CH-20 and CH-21: the levels of a drawing are those of the codes of the words around each covered pixel.
+#[test]
+fn each_covered_pixel_has_its_level() {
+    let mut seen = BTreeSet::new();
+    for derivatives in [Derivatives::Fine, Derivatives::Coarse] {
+        let profile = detailed(derivatives);
+        let (model, config) = (Model::new(&profile).unwrap(), profile.channel[0].detail.unwrap());
+        for index in 0..20 {
+            let case = case(4000 + index, false);
+            let drawing = draw(&model, &case);
+            let values = model.values_in_order(&case.codes, Some(case.q)).unwrap();
+            let placed = model.place(case.triangle).unwrap();
+            let [details] = &model.details(&placed, &values, &drawing).unwrap()[..] else {
+                panic!("one channel has a level of detail")
+            };
+            let pixels = drawing.spans.iter().flat_map(|run| (run.x0..run.x1).map(|x| (x, run.y)));
+            assert!(pixels.eq(details.iter().map(|detail| (detail.x, detail.y))));
+            for detail in details {
+                let code = |component: usize, x: u32, y: u32| {
+                    let pixel = [x, y].map(i128::from);
+                    i64::try_from(clause(&profile, &case, component, pixel, [0; 2])).unwrap()
+                };
+                let (x, y) = (detail.x & !1, detail.y & !1);
+                let [row, column] = match derivatives {
+                    Derivatives::Fine => [detail.y, detail.x],
+                    Derivatives::Coarse => [y, x],
+                };
+                let want = [0, 1].map(|c| {
+                    [
+                        code(c, x + 1, row) - code(c, x, row),
+                        code(c, column, y + 1) - code(c, column, y),
+                    ]
+                });
+                assert_eq!(detail.differences, want, "case {index} at {x} {y}");
+                assert_eq!(detail.level, level(&config, want));
+                seen.insert(detail.level);
+            }
+        }
+    }
+    assert!(seen.len() > 8, "{seen:?}");
+}
+
+type Change<'a> = &'a dyn Fn(&mut guardbit::profile::Profile);
+
+/// Clause CH-21: what a profile asks of a level of detail and cannot have is named.
+#[test]
+fn details_that_cannot_be_are_refused() {
+    let with = |change: Change<'_>| {
+        let mut profile = detailed(Derivatives::Coarse);
+        change(&mut profile);
+        Model::new(&profile).unwrap_err().to_string()
+    };
+    let [_, flat, .., constant] = corrections();
+    let places = "one place in a pixel";
+    let four =
+        guardbit::cover::MultisampleConfig { samples: 4, depth: guardbit::cover::DepthAt::Centre };
+    let cases: [(Change<'_>, &str); 6] = [
+        (&|p| p.channel[0].components.truncate(1), "the channel has 1 components"),
+        (&|p| (p.w, p.channel[0].correction) = (None, flat.clone()), places),
+        (&|p| p.channel[0].correction = constant.clone(), places),
+        (&|p| p.multisample = Some(four), places),
+        (&|p| *p = p.with_machine("gouraud").unwrap(), "has values only where it covers"),
+        (&|p| p.channel[0].detail.as_mut().unwrap().unit = 0, "unit = 0: 1 <= unit"),
+    ];
+    for (change, says) in cases {
+        let text = with(change);
+        assert!(text.contains("channel \"c\": detail: ") && text.contains(says), "{text}");
+    }
 }
