@@ -27,7 +27,12 @@ pub(super) fn proofs(question: &Question) -> Vec<Proof> {
 
 /// The question's profile with an edge function of this word.
 fn narrowed(question: &Question, storage: EdgeStorage, width: u32) -> Profile {
-    let form = EdgeFunctionConfig(EdgeWordConfig { rule: question.rule(), storage, width });
+    let form = EdgeFunctionConfig(EdgeWordConfig {
+        rule: question.rule(),
+        storage,
+        width,
+        conservative: None,
+    });
     Profile { form: form.into(), ..question.profile.clone() }
 }
 

@@ -42,8 +42,9 @@ impl Rasterizer for TilesConfig {
         &KIND
     }
 
-    fn check(&self, _: &RasterState) -> Result<(), FormError> {
-        self.validate().map_err(|error| FormError::own(&KIND, error.field(), error))
+    fn check(&self, state: &RasterState) -> Result<(), FormError> {
+        self.validate().map_err(|error| FormError::own(&KIND, error.field(), error))?;
+        edge_words::validate_conservative(self.edge, state, &KIND, &["edge"])
     }
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {
@@ -82,7 +83,8 @@ impl Rasterizer for TilesConfig {
     }
 
     fn may_misplace(&self, _: &Face<'_>, _: [i128; 2]) -> Option<bool> {
-        Some(false)
+        // The samples of `C-2` are no measure of squares.
+        self.edge.conservative.is_none().then_some(false)
     }
 
     fn neighbours(&self) -> Vec<Step> {

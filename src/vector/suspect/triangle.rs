@@ -7,9 +7,9 @@ use super::{Suspect, Suspects};
 use crate::model::{Drawing, Model, Span};
 use crate::profile::neighbours;
 use crate::vector::bench::{
-    Coverage, TriangleAnswers, TriangleBench, TriangleTest, ready, word_engine,
+    Coverage, TriangleAnswers, TriangleBench, TriangleTest, bounds_within, ready, word_engine,
 };
-use crate::vector::device::{Device, Drawer, drawing, grid, summary};
+use crate::vector::device::{Device, Drawer, draw_words, drawing, grid, summary};
 use crate::vector::table::Table;
 use std::sync::Arc;
 
@@ -32,6 +32,12 @@ impl Suspects for TriangleBench {
             list.push(Suspect::new(self, NO_SWAP, Unturned { drawer: Drawer::new(model()) }));
         }
         if let Some(widths) = word_engine(self.model()) {
+            if self.model().profile().conservative().is_some() {
+                list.extend(OtherBox::ALL.map(|wrong| {
+                    let (model, change) = (model(), wrong.change());
+                    Suspect::new(self, change, Boxed { wrong, model, widths })
+                }));
+            }
             let engine = Engine { widths };
             for fault in faults(engine) {
                 let device = Faulty {
@@ -147,6 +153,66 @@ impl Device<TriangleTest> for Unturned {
             rows.exp.push(&summary(test.test, (0, 0), &Drawing::default()));
         } else {
             self.drawer.answer(test, rows, met);
+        }
+    }
+}
+
+/// A bounding box that is not that of the squares. Spec clause `CR-3`.
+#[derive(Clone, Copy, Debug)]
+enum OtherBox {
+    AtVertices,
+    PixelMore,
+}
+
+impl OtherBox {
+    const ALL: [Self; 2] = [Self::AtVertices, Self::PixelMore];
+
+    const fn change(self) -> &'static str {
+        match self {
+            Self::AtVertices => {
+                "the bounding box ends at the vertices: it is not moved by the half side of a square"
+            }
+            Self::PixelMore => "the bounding box is a pixel larger on each side",
+        }
+    }
+
+    fn reach(self, model: &Model) -> i128 {
+        match self {
+            Self::AtVertices => 0,
+            Self::PixelMore => {
+                model.profile().box_reach() + (1 << model.profile().vertex.sub_pixel)
+            }
+        }
+    }
+}
+
+/// The right words in a wrong box.
+struct Boxed {
+    wrong: OtherBox,
+    model: Arc<Model>,
+    widths: crate::case::engine::Engine,
+}
+
+impl Device<TriangleTest> for Boxed {
+    fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
+        let drawn = match &test.triangle {
+            Some(triangle) => {
+                let reach = self.wrong.reach(&self.model);
+                let bounds = bounds_within(&self.model, &triangle.normalised(), reach);
+                draw_words(self.widths, &TriangleTest { bounds, ..test.clone() })
+            }
+            None => drawing(&self.model, test),
+        };
+        let spans = drawn.spans.len();
+        rows.exp.push(&summary(test.test, (spans, drawn.samples()), &drawn));
+        let mut left = &drawn.depth[..];
+        for span in &drawn.spans {
+            rows.span(test.test, span);
+            if rows.depths.is_some() {
+                let (values, later) = left.split_at((span.x1 - span.x0) as usize);
+                rows.depths(test.test, span, values);
+                left = later;
+            }
         }
     }
 }
