@@ -127,6 +127,12 @@ pub enum InvalidProfile {
          another machine"
     )]
     NoCost(&'static str),
+    /// Squares where samples are asked about.
+    #[error(
+        "coverage is conservative, and this command holds coverage against the samples of clause C-2; leave the \
+         table `conservative` out, or use render, vectors, verify or prove"
+    )]
+    Squares,
     /// An order of visits for a machine that has its own.
     #[error(
         "[traversal] works only with [form.edge-function]; the machine {0} has a fixed order of visits; leave \
@@ -179,7 +185,7 @@ impl InvalidProfile {
             Self::Point(_) => &["point"],
             Self::Multisample(_) | Self::MultisampleDepth(_) => &["multisample"],
             Self::Form(error) => &error.field,
-            Self::NoCost(_) => &["form"],
+            Self::NoCost(_) | Self::Squares => &["form"],
             Self::Traversal(_) => &["traversal"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Integer { .. })) => &["depth", "integer"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],

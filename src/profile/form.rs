@@ -89,7 +89,8 @@ impl Profile {
     }
 
     /// The same profile with another machine, by its name: the same fill rule, and words of the
-    /// same width where the machine has such words. `None` for an unknown name.
+    /// same width where the machine has such words. `None` for an unknown name, and for conservative coverage on a
+    /// machine without edge words.
     ///
     /// Where there is nothing to go by, the machine's `adopt` chooses: edge words are as wide as exact
     /// coverage asks, a walk has one guard bit, the integer bits of the vertex field and as many bits as an
@@ -101,6 +102,9 @@ impl Profile {
         if name != self.form.name() {
             let kind = triangle_machines().find(|kind| kind.name == name)?;
             profile.form = (kind.adopt)(&self.form, &self.state())?;
+            // A machine without edge words would cover samples instead of squares.
+            let squares = [&profile, self].map(|profile| profile.conservative().is_some());
+            (squares[0] == squares[1]).then_some(())?;
         }
         if !profile.form.visits_the_box() {
             profile.traversal = None;

@@ -245,11 +245,6 @@ fn no_pixel_of_the_unsnapped_triangle_is_missed() {
 fn long_a_million_unsnapped_triangles() {
     for profile in sound_profiles() {
         let [covered, beyond] = against_the_unsnapped(&profile, 1_000_000, 11);
-        println!(
-            "{:?} {}: {covered} covered, {beyond} beyond",
-            profile.conservative(),
-            profile.vertex.snap
-        );
         assert!(covered > 1_000_000 && beyond > 0);
     }
 }

@@ -52,8 +52,8 @@ impl DerefMut for EdgeFunctionConfig {
 
 impl EdgeFunctionConfig {
     /// The bounding box row by row.
-    fn box_operations(self) -> Operations {
-        let edge = Count::edge_setup(self.rule) + Count::JUMP;
+    fn box_operations(&self) -> Operations {
+        let edge = Count::edge_word_setup(self) + Count::JUMP;
         Operations {
             triangle: Count::AREA + Count::bounds() + edge.times(3),
             row: Count::STEP.times(3),
@@ -63,8 +63,8 @@ impl EdgeFunctionConfig {
     }
 
     /// Any order of visits: what it looks at depends on what it finds, and is measured.
-    fn traversed_operations(self) -> Operations {
-        let edge = Count::edge_setup(self.rule) + Count::JUMP + Count::corners();
+    fn traversed_operations(&self) -> Operations {
+        let edge = Count::edge_word_setup(self) + Count::JUMP + Count::corners();
         Operations {
             triangle: Count::AREA + Count::bounds() + edge.times(3),
             tile: Count::block(),

@@ -27,7 +27,7 @@ pub(crate) const KIND: Kind = Kind {
 
 impl TilesConfig {
     fn operations(&self) -> Operations {
-        let edge = Count::edge_setup(self.edge.rule) + Count::JUMP + Count::corners();
+        let edge = Count::edge_word_setup(&self.edge) + Count::JUMP + Count::corners();
         Operations {
             triangle: Count::AREA + Count::bounds() + edge.times(3),
             tile: Count::block(),
