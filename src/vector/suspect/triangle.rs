@@ -247,3 +247,60 @@ impl Device<TriangleTest> for Faulty {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Square;
+    use crate::setup::Triangle;
+    use crate::vector::bench::{Source, TestBench};
+    use crate::vector::device::setup_words;
+    use crate::vector::table::RowFormat;
+
+    /// Clause CR-3: a box that ends at the vertices loses squares, one that is larger covers what the words alone
+    /// do not exclude.
+    #[test]
+    fn a_wrong_box_shows_in_the_runs() {
+        let mut profile = crate::profile::load("d3d12-outer").unwrap();
+        profile.window = crate::profile::WindowConfig { width: 8, height: 8 };
+        let source =
+            Source { profile, scene: Arc::default(), values: Arc::default(), seed: 1, count: 64 };
+        let bench = TriangleBench::new(&source);
+        let (model, widths) = (Arc::clone(bench.model()), word_engine(bench.model()).unwrap());
+        // The left vertex lies right of the square of pixel (1, 1), whose lower and upper corners are inside of
+        // all three edges.
+        let xy = [[520, 384], [1900, 300], [1900, 470]];
+        let triangle = Triangle { xy, z: Some([0; 3]) };
+        let square = |x: u32, y: u32| Square {
+            middle: [x, y].map(|at| 512 * i128::from(at) + 256),
+            half_side: 256 + 2,
+        };
+        let touched = |x, y| square(x, y).touches(xy.map(|v| v.map(|at| 2 * at)));
+        let at_vertices = |x, y| touched(x, y) && (2..7).contains(&x) && y == 1;
+        let runs = |covered: &dyn Fn(u32, u32) -> bool| -> Vec<[u32; 2]> {
+            let pixels = (0..8).flat_map(|y| (0..8).map(move |x| [x, y]));
+            pixels.filter(|[x, y]| covered(*x, *y)).collect()
+        };
+        let drawn = |wrong| {
+            let setup = setup_words(&model, &triangle);
+            let bounds = bounds_within(&model, &triangle, model.profile().box_reach());
+            let test = TriangleTest { test: 0, triangle: Some(triangle), setup, bounds };
+            let (_, mut rows) = bench.tables(RowFormat::Tv);
+            let mut device = Boxed { wrong, model: Arc::clone(&model), widths };
+            device.answer(&test, &mut rows, &mut Coverage::default());
+            let text = String::from_utf8(rows.spans.buffer).unwrap();
+            let pixels = text.lines().flat_map(|line| {
+                let words: Vec<u32> =
+                    line.split('_').map(|word| u32::from_str_radix(word, 16).unwrap()).collect();
+                (words[2]..words[3]).map(move |x| [x, words[1]])
+            });
+            pixels.collect::<Vec<_>>()
+        };
+        let right = runs(&touched);
+        assert_eq!(drawn(OtherBox::AtVertices), runs(&at_vertices));
+        assert!(right.contains(&[7, 1]) && !runs(&at_vertices).contains(&[7, 1]));
+        let more = drawn(OtherBox::PixelMore);
+        assert!(more.contains(&[1, 1]) && !right.contains(&[1, 1]));
+        assert!(right.iter().all(|pixel| more.contains(pixel)));
+    }
+}
