@@ -116,7 +116,7 @@ impl ConservativeConfig {
     ///
     /// # Errors
     /// [`ConservativeError`] names the violated inequality.
-    pub fn validate(&self, grid: &SampleGrid) -> Result<(), ConservativeError> {
+    pub fn validate(self, grid: &SampleGrid) -> Result<(), ConservativeError> {
         let SampleGrid { offset: [x, y], sub_pixel } = *grid;
         if u64::from(self.grow) > 2 << sub_pixel {
             return Err(ConservativeError::Grow { grow: self.grow, sub_pixel });
@@ -144,7 +144,7 @@ impl ConservativeConfig {
     /// assert_eq!(config(ConservativeMode::Outer).reach(8), 257);
     /// assert_eq!(config(ConservativeMode::Inner).reach(8), -257);
     /// ```
-    pub fn reach(&self, sub_pixel: u32) -> i128 {
+    pub fn reach(self, sub_pixel: u32) -> i128 {
         let half_side = (1 << sub_pixel) + i128::from(self.grow);
         match self.mode {
             ConservativeMode::Outer => half_side,

@@ -87,7 +87,7 @@ impl EdgeWordConfig {
     /// way to the corner that decides, which is floored: E is an integer, so no sign changes (clause `CR-3`).
     fn bias(self, edge: &EdgeCoefficients, grid: &SampleGrid) -> i128 {
         match self.conservative {
-            Some(config) => (edge.a.abs() + edge.b.abs()) * config.reach(grid.sub_pixel) >> 1,
+            Some(config) => ((edge.a.abs() + edge.b.abs()) * config.reach(grid.sub_pixel)) >> 1,
             None if self.rule.owns(edge.direction()) => 0,
             None => -1,
         }

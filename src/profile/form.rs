@@ -29,8 +29,8 @@ impl Profile {
     }
 
     /// Conservative coverage, of a profile that has it.
-    pub fn conservative(&self) -> Option<&ConservativeConfig> {
-        self.form.edge()?.conservative.as_ref()
+    pub fn conservative(&self) -> Option<ConservativeConfig> {
+        self.form.edge()?.conservative
     }
 
     /// How far a bounding box reaches beyond the vertices, in sub-pixels. Spec clause `CR-3`.

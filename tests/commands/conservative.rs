@@ -118,7 +118,7 @@ fn a_proved_width_is_that_of_every_edge_and_pixel() {
                 }
             }
             let bits = |low: i128, high: i128| {
-                (1u32..).find(|n| -(1i128 << (n - 1)) <= low && high < 1 << (n - 1)).unwrap()
+                (1u32..64).find(|n| -(1i128 << (n - 1)) <= low && high < 1 << (n - 1)).unwrap()
             };
             let question = Question::new(&profile, Overrides::default()).unwrap();
             let proofs = prove(&question);

@@ -48,7 +48,7 @@ fn square([x, y]: [u32; 2], s: u32, grow: i128) -> Square {
 }
 
 /// What the clause says of a pixel.
-fn covers(config: &ConservativeConfig, s: u32, xy: [[i128; 2]; 3], pixel: [u32; 2]) -> bool {
+fn covers(config: ConservativeConfig, s: u32, xy: [[i128; 2]; 3], pixel: [u32; 2]) -> bool {
     let halves = xy.map(|v| v.map(|at| 2 * at));
     let square = square(pixel, s, config.grow.into());
     let [a, b, c] = xy;
@@ -93,7 +93,7 @@ fn hold_against_the_clauses(config: ConservativeConfig, storage: EdgeStorage) ->
     for xy in tiny_triangles() {
         let mut mask = Mask::default();
         model.draw(&model.place(Triangle { xy, z: None }).unwrap(), &mut mask).unwrap();
-        let pixels = (0..16).filter(|n| covers(&config, 1, xy, [n % 4, n / 4]));
+        let pixels = (0..16).filter(|n| covers(config, 1, xy, [n % 4, n / 4]));
         let truth = pixels.fold(0, |mask, n| mask | 1 << n);
         assert_eq!(mask.0, truth, "{config:?} {storage:?} {xy:?}");
         drawn += usize::from(truth != 0);
@@ -155,8 +155,8 @@ const SIDE: u32 = 8;
 fn real_triangle(stream: &mut Stream, s: u32) -> [[i128; 2]; 3] {
     let pixel = 1i128 << (s + FINER);
     let window = pixel * i128::from(SIDE);
-    let kind = stream.below(4);
-    let spread = [2 * window, 3 * pixel, pixel >> s << 2, 2 * window][kind as usize];
+    let kind = usize::try_from(stream.below(4)).unwrap();
+    let spread = [2 * window, 3 * pixel, pixel >> s << 2, 2 * window][kind];
     let from: [i128; 2] = std::array::from_fn(|_| stream.below(window));
     let mut xy: [[i128; 2]; 3] = std::array::from_fn(|_| {
         std::array::from_fn(|axis: usize| from[axis] + stream.below(spread + 1) - spread / 2)
@@ -172,10 +172,15 @@ fn real_triangle(stream: &mut Stream, s: u32) -> [[i128; 2]; 3] {
     xy
 }
 
+/// A coordinate of at most 32 bits.
+fn real(at: i128) -> f64 {
+    f64::from(i32::try_from(at).unwrap())
+}
+
 /// Draws so many real triangles, and holds each pixel of the window against the triangle before the snap. Returns
 /// how many pixels were covered, and how many of them the real triangle does not touch (or hold, for inner).
 fn against_the_unsnapped(profile: &Profile, count: u32, seed: u64) -> [u64; 2] {
-    let (s, config) = (profile.vertex.sub_pixel, *profile.conservative().unwrap());
+    let (s, config) = (profile.vertex.sub_pixel, profile.conservative().unwrap());
     let model = Model::with_view(profile, View { window: Some((SIDE, SIDE)), ..View::default() });
     let model = model.unwrap();
     // In halves of a sub-pixel of the real grid.
@@ -186,7 +191,7 @@ fn against_the_unsnapped(profile: &Profile, count: u32, seed: u64) -> [u64; 2] {
     for _ in 0..count {
         let xy = real_triangle(&mut stream, s);
         let scale = f64::from(1u32 << (s + FINER));
-        let xy_real = xy.map(|v| v.map(|at| at as f64 / scale));
+        let xy_real = xy.map(|v| v.map(|at| real(at) / scale));
         let snapped = model.snap(&scene::Triangle::Real { xy: xy_real, z: None }).unwrap();
         let mut drawing = Drawing::default();
         model.draw(&snapped, &mut drawing).unwrap();
@@ -291,7 +296,7 @@ fn every_order_of_visits_and_tiles_cover_the_same_squares() {
             let xy = std::array::from_fn(|_| std::array::from_fn(|_| stream.below(48 << 8)));
             let pixels = drawn(&model, xy);
             let truth =
-                (0..48 * 48).map(|n| [n % 48, n / 48]).filter(|at| covers(&config, 8, xy, *at));
+                (0..48 * 48).map(|n| [n % 48, n / 48]).filter(|at| covers(config, 8, xy, *at));
             assert_eq!(pixels, truth.collect(), "{xy:?}");
             for other in &others {
                 assert_eq!(drawn(other, xy), pixels, "{:?} {xy:?}", other.profile().traversal);

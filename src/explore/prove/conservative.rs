@@ -24,7 +24,7 @@ use crate::setup::{Division, EdgeCoefficients, Triangle};
 const HALVES: &str = "halves of a sub-pixel";
 
 /// The claims on a profile with conservative coverage; the stored width comes first.
-pub(super) fn proofs(question: &Question, config: &ConservativeConfig) -> Vec<Proof> {
+pub(super) fn proofs(question: &Question, config: ConservativeConfig) -> Vec<Proof> {
     let mut proofs = vec![
         word(question, config, EdgeStorage::Shifted),
         word(question, config, EdgeStorage::Full),
@@ -37,8 +37,8 @@ pub(super) fn proofs(question: &Question, config: &ConservativeConfig) -> Vec<Pr
 }
 
 /// What a word gains on the way to the corner that decides. Spec clause `CR-3`.
-fn gain(question: &Question, config: &ConservativeConfig, edge: &EdgeCoefficients) -> i128 {
-    (edge.a.abs() + edge.b.abs()) * config.reach(question.sub_pixel()) >> 1
+fn gain(question: &Question, config: ConservativeConfig, edge: &EdgeCoefficients) -> i128 {
+    ((edge.a.abs() + edge.b.abs()) * config.reach(question.sub_pixel())) >> 1
 }
 
 fn shift(question: &Question, storage: EdgeStorage) -> u32 {
@@ -46,7 +46,7 @@ fn shift(question: &Question, storage: EdgeStorage) -> u32 {
 }
 
 /// The width of one storage.
-fn word(question: &Question, config: &ConservativeConfig, storage: EdgeStorage) -> Proof {
+fn word(question: &Question, config: ConservativeConfig, storage: EdgeStorage) -> Proof {
     let shift = shift(question, storage);
     let values: Vec<i128> = at_corners(question.vertex_area(), question.sample_area())
         .map(|(edge, e)| (e + gain(question, config, &edge)) >> shift)
@@ -93,7 +93,7 @@ fn word(question: &Question, config: &ConservativeConfig, storage: EdgeStorage) 
 }
 
 /// The square of a pixel, in halves of a sub-pixel.
-fn square(question: &Question, config: &ConservativeConfig, pixel: [i128; 2]) -> Square {
+fn square(question: &Question, config: ConservativeConfig, pixel: [i128; 2]) -> Square {
     let half_side = config.reach(question.sub_pixel()).abs();
     Square { middle: question.sample(pixel).map(|at| 2 * at), half_side }
 }
@@ -101,7 +101,7 @@ fn square(question: &Question, config: &ConservativeConfig, pixel: [i128; 2]) ->
 /// What the clause says of a pixel.
 fn covers(
     question: &Question,
-    config: &ConservativeConfig,
+    config: ConservativeConfig,
     triangle: &Triangle,
     pixel: [i128; 2],
 ) -> bool {
@@ -116,12 +116,12 @@ fn covers(
 /// A triangle and a pixel drawn wrong with one bit fewer and right with `bits`.
 fn misread(
     question: &Question,
-    config: &ConservativeConfig,
+    config: ConservativeConfig,
     storage: EdgeStorage,
     bits: u32,
 ) -> Option<Witness> {
     let [narrow, wide] = [bits - 1, bits].map(|width| {
-        let (rule, conservative) = (question.rule(), Some(*config));
+        let (rule, conservative) = (question.rule(), Some(config));
         let form = EdgeFunctionConfig(EdgeWordConfig { rule, storage, width, conservative });
         Profile { form: form.into(), ..question.profile.clone() }
     });
@@ -163,7 +163,7 @@ fn misread(
 }
 
 /// The growth that pays for the snap.
-fn snap(question: &Question, config: &ConservativeConfig) -> Proof {
+fn snap(question: &Question, config: ConservativeConfig) -> Proof {
     let rounding = question.profile.vertex.snap;
     let (needed, most) = if rounding.is_nearest() { (1, "1/2") } else { (2, "less than 1") };
     let loses_flat =
@@ -187,7 +187,7 @@ fn snap(question: &Question, config: &ConservativeConfig) -> Proof {
     let witness = if enough && loses_flat {
         snap_witness::flattened(question, config)
     } else {
-        snap_witness::lost(question, &ConservativeConfig { grow: tried, ..*config }, needed)
+        snap_witness::lost(question, ConservativeConfig { grow: tried, ..config }, needed)
     };
     let relation = if enough { "<=" } else { ">" };
     Proof {
@@ -211,7 +211,7 @@ fn snap(question: &Question, config: &ConservativeConfig) -> Proof {
 }
 
 /// The claims on depth that hold for squares.
-fn depth(question: &Question, config: &ConservativeConfig) -> Vec<Proof> {
+fn depth(question: &Question, config: ConservativeConfig) -> Vec<Proof> {
     let Some(depth) = question.profile.depth else { return Vec::new() };
     let subject = Subject::depth();
     let mut proofs = Vec::new();

@@ -63,7 +63,7 @@ fn witness(
 /// `needed` halves of a sub-pixel would have held.
 pub(super) fn lost(
     question: &Question,
-    config: &ConservativeConfig,
+    config: ConservativeConfig,
     needed: u32,
 ) -> Option<Witness> {
     let side = 1i128 << question.sub_pixel();
@@ -72,7 +72,7 @@ pub(super) fn lost(
     let plain = square(question, pixel, 0);
     let grown = square(question, pixel, config.grow.into());
     let [own, enough] =
-        [config.grow, needed].map(|grow| with(question, ConservativeConfig { grow, ..*config }));
+        [config.grow, needed].map(|grow| with(question, ConservativeConfig { grow, ..config }));
     let (own, enough) = (own?, enough?);
     // The corner that is nearest to the vertex at the right angle, or farthest from it.
     let corner = if outer { side } else { 2 * side };
@@ -120,10 +120,10 @@ fn near(at: i128) -> impl Iterator<Item = (i128, i128)> {
 }
 
 /// A triangle that the snap brings to one point, in the middle of pixel (0, 0).
-pub(super) fn flattened(question: &Question, config: &ConservativeConfig) -> Option<Witness> {
+pub(super) fn flattened(question: &Question, config: ConservativeConfig) -> Option<Witness> {
     let pixel = question.origin;
     let xy = [question.sample(pixel); 3];
-    let profile = with(question, *config)?;
+    let profile = with(question, config)?;
     // One vertex on the grid, two beside it.
     let parts =
         [PARTS / 4, -PARTS / 4].into_iter().find(|parts| before(question, xy, *parts).is_some())?;
