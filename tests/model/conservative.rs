@@ -244,6 +244,32 @@ fn no_pixel_of_the_unsnapped_triangle_is_missed() {
     }
 }
 
+// Clause CR-9
+#[test]
+fn the_built_in_profiles_keep_to_their_tiers() {
+    for (name, mode) in
+        [("d3d12-outer", ConservativeMode::Outer), ("d3d12-inner", ConservativeMode::Inner)]
+    {
+        let profile = load(name).unwrap();
+        let config = profile.conservative().unwrap();
+        // 1/256 pixel in halves of 1/256 pixel.
+        assert_eq!((config.mode, config.grow, profile.vertex.sub_pixel), (mode, 2, 8));
+        assert_eq!(config.degenerate == Degenerate::Draw, mode == ConservativeMode::Outer);
+        let [covered, beyond] = against_the_unsnapped(&profile, 400, 5);
+        assert!(covered > 200 && beyond > 0, "{covered} {beyond}");
+    }
+    // The half pixel of tier 1, and the pixel of the largest Vulkan size, are sizes as well.
+    for grow in [256, 512] {
+        let config = config(ConservativeMode::Outer, grow);
+        let model = Model::new(&conservative("d3d11", config, EdgeStorage::Shifted)).unwrap();
+        let pixels = drawn(&model, [[1000, 1000], [1200, 1000], [1000, 1300]]);
+        let truth = (0..100).map(|n| [n % 10, n / 10]);
+        let touched =
+            truth.filter(|at| covers(config, 8, [[1000, 1000], [1200, 1000], [1000, 1300]], *at));
+        assert_eq!(pixels, touched.collect());
+    }
+}
+
 // Clause CR-5
 #[test]
 #[ignore = "soak tier: cargo test -- --include-ignored"]
