@@ -73,6 +73,12 @@ pub enum ConservativeError {
         /// Sub-pixel bits of the vertex field.
         sub_pixel: u32,
     },
+    /// A grid without the middle of the square.
+    #[error(
+        "conservative coverage needs sub-pixel >= 1, but sub-pixel is 0: the middle of a pixel is not on the \
+         grid of vertices; use a sub-pixel bit, or leave the table out"
+    )]
+    NoMiddle,
     /// A sample that is not the middle of the square.
     #[error(
         "conservative coverage is decided for the square of a pixel, whose middle is ({centre}, {centre}) \
@@ -106,7 +112,7 @@ impl ConservativeError {
         match self {
             Self::Grow { .. } => Some("grow"),
             Self::Degenerate => Some("degenerate"),
-            Self::Sample { .. } | Self::Multisample => None,
+            Self::NoMiddle | Self::Sample { .. } | Self::Multisample => None,
         }
     }
 }
@@ -121,9 +127,11 @@ impl ConservativeConfig {
         if u64::from(self.grow) > 2 << sub_pixel {
             return Err(ConservativeError::Grow { grow: self.grow, sub_pixel });
         }
-        // A grid without sub-pixels has no centre, whatever its sample.
+        if sub_pixel == 0 {
+            return Err(ConservativeError::NoMiddle);
+        }
         let centre = 1 << sub_pixel >> 1;
-        if sub_pixel == 0 || [x, y] != [centre; 2] {
+        if [x, y] != [centre; 2] {
             return Err(ConservativeError::Sample { x, y, centre });
         }
         if self.mode == ConservativeMode::Inner && self.degenerate == Degenerate::Draw {

@@ -45,6 +45,11 @@ fn what_squares_do_not_go_with_is_refused_at_its_line() {
         ),
         (tiny(TABLE, &[]) + sample, "edge-function.conservative", "middle is (1, 1)"),
         (
+            tiny(TABLE, &[["sub-pixel = 1", "sub-pixel = 0"]]) + sample,
+            "conservative",
+            "sub-pixel is 0",
+        ),
+        (
             tiny(TABLE, &fine) + several,
             "edge-function.conservative",
             "one answer for a whole pixel",
