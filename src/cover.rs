@@ -3,6 +3,7 @@
 
 mod bitmask;
 mod clip;
+mod conservative;
 mod edge_word;
 mod line;
 mod multisample;
@@ -17,6 +18,9 @@ mod traversal;
 
 pub use bitmask::Bitmask;
 pub use clip::{ClipRect, GuardBand};
+pub use conservative::{
+    ConservativeConfig, ConservativeDepth, ConservativeError, ConservativeMode, Degenerate,
+};
 pub use edge_word::{EdgeStorage, EdgeWordConfig, EdgeWordError, EdgeWords};
 pub use line::{
     LineConfig, LineError, LineRule, Segment, Start, Stipple, Tie, bresenham, incremental,

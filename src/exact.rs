@@ -26,6 +26,7 @@ mod outline;
 mod perspective;
 mod plane;
 mod round;
+mod square;
 
 pub use cover::{Position, Rule, classify, covered_row, covers};
 pub use diamond::{Diamond, exits};
@@ -35,3 +36,4 @@ pub use outline::Outline;
 pub use perspective::perspective_at;
 pub use plane::{PlaneNumerator, plane_at, plane_slopes, plane_word};
 pub use round::{divide, round, round_dyadic};
+pub use square::Square;

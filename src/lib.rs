@@ -120,6 +120,7 @@ mod spec {
         Hardware "21-hardware.md", Registers "22-registers.md", Describe "23-describe.md",
         Channels "24-channels.md",
         Identify "25-identify.md",
-        Envelope "26-envelope.md"
+        Envelope "26-envelope.md",
+        Conservative "27-conservative.md"
     );
 }

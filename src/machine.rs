@@ -323,12 +323,17 @@ pub struct Target {
     pub grid: SampleGrid,
     /// The window cut by the scissor.
     pub clip: Rect,
+    /// How far a bounding box reaches beyond the vertices, in sub-pixels: 0 where samples are covered.
+    pub reach: i128,
 }
 
 impl Target {
-    /// The pixels `[x0, y0, x1, y1]` whose samples a triangle could cover. Spec clause `C-7`.
+    /// The pixels `[x0, y0, x1, y1]` that a triangle could cover. Spec clauses `C-7` and `CR-3`.
     pub fn bounds(&self, triangle: &Triangle) -> [u32; 4] {
-        let side = |axis| self.clip.clip(axis, self.grid.pixels(axis, triangle.extent(axis)));
+        let side = |axis| {
+            let (low, high) = triangle.extent(axis);
+            self.clip.clip(axis, self.grid.pixels(axis, (low - self.reach, high + self.reach)))
+        };
         let ((x0, x1), (y0, y1)) = (side(0), side(1));
         [x0, y0, x1, y1]
     }
@@ -347,6 +352,11 @@ pub trait Machine: Send + Sync + std::fmt::Debug {
     /// How it carries a value that is linear in the window, where it carries channels.
     fn carrier(&self) -> Option<&dyn Carrier> {
         None
+    }
+
+    /// Whether it draws triangles without area, with the values of vertex 0. Spec clause `CR-4`.
+    fn draws_degenerate(&self) -> bool {
+        false
     }
 
     /// Draws one primitive.

@@ -76,10 +76,9 @@ impl Model {
         let vertex = profile.vertex;
         let window = profile.window()?;
         let clip = view.scissor.map_or(window, |scissor| window.intersect(scissor));
-        let target = Target { grid: profile.grid()?, clip };
+        let target = Target { grid: profile.grid()?, clip, reach: profile.box_reach() };
         let processor = view.processor;
-        let depth =
-            profile.depth.map(|config| Depth::new(config, &vertex, processor)).transpose()?;
+        let depth = profile.evaluator(processor)?;
         let machine: Box<dyn Machine> = match profile.multisample {
             None => build(&profile, depth, target, processor)?,
             Some(config) => {

@@ -12,15 +12,15 @@ pub use load::{ProfileError, load, parse};
 pub use neighbour::{Neighbour, neighbours};
 
 use crate::cover::{
-    LineConfig, LineError, MultisampleConfig, MultisampleError, PointConfig, PointError, Rect,
-    RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
+    Degenerate, LineConfig, LineError, MultisampleConfig, MultisampleError, PointConfig,
+    PointError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
 };
 use crate::format::ReadOutError;
 use crate::machine::Carries;
 use crate::setup::{VertexConfig, VertexError};
 use crate::value::{
-    AttributeConfig, AttributeError, DepthConfig, DepthError, EvaluatedAt, InverseWConfig,
-    validate_channels,
+    AttributeConfig, AttributeError, Correction, DepthConfig, DepthError, EvaluatedAt,
+    InverseWConfig, validate_channels,
 };
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
@@ -127,6 +127,12 @@ pub enum InvalidProfile {
          another machine"
     )]
     NoCost(&'static str),
+    /// Squares where samples are asked about.
+    #[error(
+        "coverage is conservative, and this command holds coverage against the samples of clause C-2; leave the \
+         table `conservative` out, or use render, vectors, verify or prove"
+    )]
+    Squares,
     /// An order of visits for a machine that has its own.
     #[error(
         "[traversal] works only with [form.edge-function]; the machine {0} has a fixed order of visits; leave \
@@ -147,6 +153,12 @@ pub enum InvalidProfile {
         "the machine {0} has no means for [[channel]]; choose another machine, or leave the channels out"
     )]
     NoChannels(&'static str),
+    /// Coordinates of a triangle that may have no area.
+    #[error(
+        "channel {0:?}: correction = \"barycentric\" divides by the area of the triangle, and degenerate = \"draw\" \
+         draws triangles that have none; choose another correction, or write degenerate = \"cull\""
+    )]
+    NoCoordinates(String),
     /// A place that the machine does not evaluate.
     #[error(
         "channel {channel:?}: the machine {machine} evaluates channels at its own sample only: leave `at` and \
@@ -173,7 +185,7 @@ impl InvalidProfile {
             Self::Point(_) => &["point"],
             Self::Multisample(_) | Self::MultisampleDepth(_) => &["multisample"],
             Self::Form(error) => &error.field,
-            Self::NoCost(_) => &["form"],
+            Self::NoCost(_) | Self::Squares => &["form"],
             Self::Traversal(_) => &["traversal"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Integer { .. })) => &["depth", "integer"],
             Self::Depth(DepthError::ReadOut(ReadOutError::Width { .. })) => &["depth"],
@@ -187,7 +199,10 @@ impl InvalidProfile {
                 _ => &["depth", "bias", "slope"],
             },
             Self::W(_) => &["w"],
-            Self::Channel(_) | Self::NoChannels(_) | Self::ChannelAt { .. } => &["channel"],
+            Self::Channel(_)
+            | Self::NoChannels(_)
+            | Self::NoCoordinates(_)
+            | Self::ChannelAt { .. } => &["channel"],
         }
     }
 }
@@ -256,6 +271,11 @@ impl Profile {
                     });
                 }
                 _ => {}
+            }
+            let draws_degenerate =
+                self.conservative().is_some_and(|config| config.degenerate == Degenerate::Draw);
+            if draws_degenerate && matches!(channel.correction, Correction::Barycentric { .. }) {
+                return Err(InvalidProfile::NoCoordinates(channel.name.clone()));
             }
             let over = self.w.filter(|_| channel.correction.walks_w());
             let scale = over.map_or(0, |w| w.integer);

@@ -192,7 +192,9 @@ fn check(proofs: &[Proof], limit: u64) -> Result<Vec<Check>, Failure> {
 
 fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
     for proof in proofs {
-        let bits = proof.bits.map_or("no number of bits is enough".to_owned(), count);
+        let unit = proof.unit;
+        let bits =
+            proof.bits.map_or("no number of bits is enough".to_owned(), |bits| count(bits, unit));
         let given = proof.given.map_or(String::new(), |given| format!(", the profile has {given}"));
         output.line("")?;
         output.line(format!(
@@ -205,7 +207,7 @@ fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
         output.text(wrap(&format!("bound: {}", proof.bound)))?;
         let none = "counterexample: none known, so the bound may not be tight";
         output.text(match (&proof.witness, proof.bits) {
-            (Some(witness), _) => wrap(&describe(witness)),
+            (Some(witness), _) => wrap(&describe(witness, unit)),
             (None, Some(0)) => wrap("counterexample: not possible, 0 bits are enough"),
             (None, Some(_)) => wrap(none),
             (None, None) => wrap("counterexample: none known"),
@@ -214,17 +216,21 @@ fn print_proofs(output: &mut Output, proofs: &[Proof]) -> Result<(), Failure> {
     Ok(())
 }
 
-fn count(bits: u32) -> String {
-    if bits == 1 { "1 bit".to_owned() } else { format!("{bits} bits") }
+fn count(number: u32, unit: Option<&str>) -> String {
+    match unit {
+        Some(unit) => format!("{number} {unit}"),
+        None if number == 1 => "1 bit".to_owned(),
+        None => format!("{number} bits"),
+    }
 }
 
 /// A witness in words; coordinates are sub-pixels.
-fn describe(witness: &Witness) -> String {
+fn describe(witness: &Witness, unit: Option<&str>) -> String {
     let points = |list: &[[i128; 2]]| {
         let texts: Vec<String> = list.iter().map(|[x, y]| format!("({x}, {y})")).collect();
         texts.join(" ")
     };
-    let mut text = format!("counterexample with {}:", count(witness.bits));
+    let mut text = format!("counterexample with {}:", count(witness.bits, unit));
     if !witness.triangle.is_empty() {
         let _ = write!(text, " triangle {} in sub-pixels", points(&witness.triangle));
     }

@@ -1,5 +1,6 @@
 //! Edge functions as stored words: bias, shift, reduction. Spec clauses `C-4` and `C-5`.
 
+use super::conservative::ConservativeConfig;
 use super::rule::FillRule;
 use super::sample::SampleGrid;
 use crate::bits::Lane;
@@ -33,6 +34,9 @@ pub struct EdgeWordConfig {
     pub storage: EdgeStorage,
     /// Bits of an edge word; a scene that needs more wraps.
     pub width: u32,
+    /// Squares instead of samples; samples when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub conservative: Option<ConservativeConfig>,
 }
 
 /// An edge word that no lane holds.
@@ -72,16 +76,38 @@ impl EdgeWordConfig {
             let [px, py] = grid.position(x, y);
             // Only the rule's own bias: the other one costs a bit where a sample meets the
             // window's corner.
-            let value = self.stored(edge.at(px, py) + self.bias(&edge), grid);
+            let value = self.stored(edge.at(px, py) + self.bias(&edge, grid), grid);
             let magnitude = if value < 0 { !value } else { value };
             bits = bits.max(1 + i128::BITS - magnitude.leading_zeros());
         }
         bits
     }
 
-    /// An owner covers E >= 0, any other E > 0: with integers, E - 1 >= 0.
-    fn bias(self, edge: &EdgeCoefficients) -> i128 {
-        if self.rule.owns(edge.direction()) { 0 } else { -1 }
+    /// An owner covers E >= 0, any other E > 0: with integers, E - 1 >= 0. For a square, what E gains on the
+    /// way to the corner that decides, which is floored: E is an integer, so no sign changes (clause `CR-3`).
+    fn bias(self, edge: &EdgeCoefficients, grid: &SampleGrid) -> i128 {
+        match self.conservative {
+            Some(config) => ((edge.a.abs() + edge.b.abs()) * config.reach(grid.sub_pixel)) >> 1,
+            None if self.rule.owns(edge.direction()) => 0,
+            None => -1,
+        }
+    }
+
+    /// How far the bounding box of a triangle reaches beyond its vertices, in sub-pixels: a negative number
+    /// makes it smaller. Spec clause `CR-3`.
+    pub fn box_reach(&self, sub_pixel: u32) -> i128 {
+        self.conservative.map_or(0, |config| config.reach(sub_pixel) >> 1)
+    }
+
+    /// The pixels of an axis that a triangle of this extent could cover. Spec clauses `C-7` and `CR-3`.
+    pub fn pixels(
+        &self,
+        grid: &SampleGrid,
+        axis: usize,
+        (low, high): (i128, i128),
+    ) -> (i128, i128) {
+        let reach = self.box_reach(grid.sub_pixel);
+        grid.pixels(axis, (low - reach, high + reach))
     }
 
     fn stored(self, biased: i128, grid: &SampleGrid) -> i128 {
@@ -122,7 +148,7 @@ impl EdgeWordConfig {
             EdgeWords { width: self.width, fraction, start: [0; 3], dx: [0; 3], dy: [0; 3] };
         for (k, edge) in edges(triangle).iter().enumerate() {
             let e = edge.at(grid.offset[0], grid.offset[1]);
-            words.start[k] = self.stored(e + self.bias(edge), grid);
+            words.start[k] = self.stored(e + self.bias(edge, grid), grid);
             words.dx[k] = edge.a << scale;
             words.dy[k] = edge.b << scale;
         }

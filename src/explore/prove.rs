@@ -18,6 +18,7 @@
 mod carried;
 mod channel;
 mod channel_formal;
+mod conservative;
 mod corrected;
 mod correction;
 mod depth;
@@ -32,6 +33,7 @@ mod plane;
 mod plane_witness;
 mod slope;
 mod smt;
+mod snap_witness;
 mod solver;
 mod table;
 mod text;
@@ -55,6 +57,9 @@ pub struct Proof {
     /// The row of [`table()`] it belongs to.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub row: Option<String>,
+    /// What is counted, where it is not bits.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub unit: Option<&'static str>,
     /// Window, grid and vertex box that it is made for.
     pub place: String,
     /// What is claimed, in a few sentences.
@@ -121,9 +126,14 @@ impl Proof {
 pub fn prove(question: &Question) -> Vec<Proof> {
     // Counterexamples of coverage and depth are drawn without channels.
     let plain = question.without_channels();
-    let mut proofs = edge::proofs(&plain);
-    proofs.extend(walk::proofs(&plain));
-    proofs.extend(depth::proofs(&plain));
+    let mut proofs = if let Some(config) = plain.profile.conservative() {
+        conservative::proofs(&plain, config)
+    } else {
+        let mut proofs = edge::proofs(&plain);
+        proofs.extend(walk::proofs(&plain));
+        proofs.extend(depth::proofs(&plain));
+        proofs
+    };
     proofs.extend(channel::proofs(question));
     proofs
 }

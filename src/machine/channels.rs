@@ -248,7 +248,8 @@ impl Channels {
         }
         let given = triangle;
         let triangle = triangle.normalised();
-        let set_up = values.zip(machine.carrier()).filter(|_| triangle.area2() > 0);
+        let drawn = triangle.area2() > 0 || machine.draws_degenerate();
+        let set_up = values.zip(machine.carrier()).filter(|_| drawn);
         let set_up = set_up.map(|(values, carrier)| {
             let turned = given.area2() < 0;
             self.set_up(carrier, &triangle, values, turned, &|_| true)

@@ -171,11 +171,25 @@ impl Count {
             // Both rules ask for the sign of dy, whether it is zero, and the sign of dx.
             FillRule::TopLeft | FillRule::Shadow => Self::TEST.times(3),
         };
+        Self::edge_and_bias() + owns
+    }
+
+    /// One edge function at the first sample, and an addition to it.
+    fn edge_and_bias() -> Self {
         let differences = Self::new(2, 0, 0, 0);
         let constant = Self::new(1, 2, 0, 0);
         let at_first_sample = Self::new(2, 2, 0, 0);
         let bias = Self::new(1, 0, 0, 0);
-        differences + constant + at_first_sample + bias + owns
+        differences + constant + at_first_sample + bias
+    }
+
+    /// One edge word at the first sample: biased by the rule, or moved to the corner of a square that decides.
+    pub fn edge_word_setup(edges: &EdgeWordConfig) -> Self {
+        match edges.conservative {
+            None => Self::edge_setup(edges.rule),
+            // Two signs, the sum of two magnitudes, and its product with a number of the profile.
+            Some(_) => Self::edge_and_bias() + Self::new(1, 1, 0, 2),
+        }
     }
 
     /// Set-up of a depth plane: clauses `P-1` to `P-4`.

@@ -7,7 +7,8 @@ pub use form::EdgeFunctionConfig;
 pub(super) use form::KIND;
 
 use super::carry::Planes;
-use super::painter::{Painter, drawable};
+use super::edge_words::{drawable, draws_degenerate};
+use super::painter::Painter;
 use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWords, for_each_run};
@@ -89,8 +90,12 @@ impl Machine for EdgeFunction {
         Some(&Planes)
     }
 
+    fn draws_degenerate(&self) -> bool {
+        draws_degenerate(self.edges)
+    }
+
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
+        let Some(triangle) = drawable(self.edges, input.triangle()?, out) else { return Ok(()) };
         let words = self.edges.words(&triangle, &self.target.grid);
         let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
         painter.announce(|| setup_words(&words), out);

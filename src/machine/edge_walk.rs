@@ -230,7 +230,7 @@ impl Machine for EdgeWalk {
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
-        let Target { grid, clip } = self.target;
+        let Target { grid, clip, .. } = self.target;
         let v = triangle.xy;
         let edges: [Option<WalkedEdge>; 3] =
             std::array::from_fn(|k| self.config.edge(v[k], v[(k + 1) % 3], &grid));

@@ -55,7 +55,7 @@ impl Machine for EnginePerPixel {
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
         let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
-        let Target { grid, clip } = self.target;
+        let Target { grid, clip, .. } = self.target;
         let words = self.edges.words(&triangle, &grid);
         let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
         painter.announce(|| setup_words(&words), out);

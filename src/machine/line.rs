@@ -41,7 +41,7 @@ impl Machine for Lines {
     }
 
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let Target { grid, clip } = self.target;
+        let Target { grid, clip, .. } = self.target;
         match input {
             Input::Line(line) => {
                 let mut pixels = Vec::new();

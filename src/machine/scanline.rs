@@ -60,7 +60,7 @@ impl Scanline {
 
     /// The spans of a triangle, top to bottom, without values: the quickest exact coverage.
     pub fn cover(&self, triangle: &Triangle, row: impl FnMut(u32, u32, u32)) {
-        let Target { grid, clip } = &self.target;
+        let Target { grid, clip, .. } = &self.target;
         scan(&triangle.xy, grid, *clip, self.config.rule, self.narrow, row);
     }
 }
@@ -71,7 +71,7 @@ impl Scanline {
         if shape.z.is_some() {
             return Err(DrawError::PolygonDepth { machine: KIND.name });
         }
-        let Target { grid, clip } = &self.target;
+        let Target { grid, clip, .. } = &self.target;
         let mut open: Option<[u32; 3]> = None;
         polygon(&shape.xy, grid, *clip, self.config.rule, &mut |y, x0, x1| match &mut open {
             // Runs that touch are one.

@@ -7,7 +7,8 @@ pub(super) use form::KIND;
 
 use super::carry::Planes;
 use super::edge_function::{edge_columns, setup_words};
-use super::painter::{Painter, drawable};
+use super::edge_words::{drawable, draws_degenerate};
+use super::painter::Painter;
 use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::bits::Lane;
 use crate::cover::{EdgeWordConfig, EdgeWordError, EdgeWords, for_each_run};
@@ -193,8 +194,14 @@ impl Machine for Tiles {
         Some(&Planes)
     }
 
+    fn draws_degenerate(&self) -> bool {
+        draws_degenerate(self.config.edge)
+    }
+
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
+        let Some(triangle) = drawable(self.config.edge, input.triangle()?, out) else {
+            return Ok(());
+        };
         let words = self.config.edge.words(&triangle, &self.target.grid);
         let mut painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);
         painter.announce(|| setup_words(&words), out);

@@ -3,7 +3,8 @@
 
 use super::carry::Planes;
 use super::edge_function::{edge_columns, setup_words};
-use super::painter::{Painter, accumulated_span, drawable};
+use super::edge_words::{drawable, draws_degenerate};
+use super::painter::{Painter, accumulated_span};
 use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
 use crate::cover::{Bitmask, Block, EdgeWordConfig, EdgeWords, Outside, Rect, TraversalConfig};
 use crate::cover::{Visitor, for_each_run};
@@ -174,8 +175,12 @@ impl Machine for Traversed {
         Some(&Planes)
     }
 
+    fn draws_degenerate(&self) -> bool {
+        draws_degenerate(self.edges)
+    }
+
     fn draw(&self, input: &Input<'_>, out: &mut dyn Sink) -> Result<(), DrawError> {
-        let Some(triangle) = drawable(input.triangle()?, out) else { return Ok(()) };
+        let Some(triangle) = drawable(self.edges, input.triangle()?, out) else { return Ok(()) };
         let grid = &self.target.grid;
         let words = self.edges.words(&triangle, grid);
         let painter = Painter::new(self.depth.as_ref(), &triangle, &self.target);

@@ -44,7 +44,7 @@ use crate::value::Depth;
 
 /// The depth evaluator of a validated profile.
 pub fn depth_of(profile: &Profile) -> Option<Depth> {
-    Depth::new(profile.depth?, &profile.vertex, Processor::default()).ok()
+    profile.evaluator(Processor::default()).ok()?
 }
 
 /// The arithmetic error of one profile on a stage.

@@ -4,11 +4,13 @@ use super::Profile;
 use super::load::{ProfileError, parse};
 
 /// Name and text of each built-in profile; the first is the default.
-pub const BUILTIN: [(&str, &str); 17] = [
+pub const BUILTIN: [(&str, &str); 19] = [
     ("sgi-4k", include_str!("../../profiles/sgi-4k.toml")),
     ("sgi-4k-walk", include_str!("../../profiles/sgi-4k-walk.toml")),
     ("d3d11", include_str!("../../profiles/d3d11.toml")),
     ("tiny", include_str!("../../profiles/tiny.toml")),
+    ("d3d12-outer", include_str!("../../profiles/d3d12-outer.toml")),
+    ("d3d12-inner", include_str!("../../profiles/d3d12-inner.toml")),
     ("larrabee", include_str!("../../profiles/larrabee.toml")),
     ("vulkan-8bit", include_str!("../../profiles/vulkan-8bit.toml")),
     ("vulkan-8bit-4x", include_str!("../../profiles/vulkan-8bit-4x.toml")),

@@ -1,8 +1,11 @@
 //! One profile seen through each machine.
 
 use super::Profile;
-use crate::cover::EdgeWordConfig;
+use crate::cover::{ConservativeConfig, ConservativeDepth, Degenerate, EdgeWordConfig};
+use crate::dda::Processor;
 use crate::machine::{RasterState, triangle_machines};
+use crate::setup::Triangle;
+use crate::value::{Depth, DepthConfig, DepthError};
 
 impl Profile {
     /// What the profile says beside its machine.
@@ -23,6 +26,45 @@ impl Profile {
         let mut profile = self.clone();
         profile.depth.iter_mut().for_each(|depth| depth.bias = None);
         profile
+    }
+
+    /// Conservative coverage, of a profile that has it.
+    pub fn conservative(&self) -> Option<ConservativeConfig> {
+        self.form.edge()?.conservative
+    }
+
+    /// How far a bounding box reaches beyond the vertices, in sub-pixels. Spec clause `CR-3`.
+    pub fn box_reach(&self) -> i128 {
+        self.form.edge().map_or(0, |edge| edge.box_reach(self.vertex.sub_pixel))
+    }
+
+    /// The depth evaluator; `None` without depth. Spec clauses `P-1` and `CR-6`.
+    ///
+    /// # Errors
+    /// [`DepthError`] names the violated inequality.
+    pub fn evaluator(&self, processor: Processor) -> Result<Option<Depth>, DepthError> {
+        self.depth.map(|config| self.evaluator_of(config, processor)).transpose()
+    }
+
+    /// The evaluator of other words of depth.
+    ///
+    /// # Errors
+    /// [`DepthError`] names the violated inequality.
+    pub fn evaluator_of(
+        &self,
+        config: DepthConfig,
+        processor: Processor,
+    ) -> Result<Depth, DepthError> {
+        let depth = Depth::new(config, &self.vertex, processor)?;
+        let at = self.conservative().map(|config| config.depth);
+        let nearest = at == Some(ConservativeDepth::Nearest);
+        Ok(if nearest { depth.at_nearest_corner() } else { depth })
+    }
+
+    /// Whether a triangle draws nothing, because it has no area. Spec clauses `T-3` and `CR-4`.
+    pub fn culls(&self, triangle: &Triangle) -> bool {
+        let drawn = self.conservative().map(|config| config.degenerate) == Some(Degenerate::Draw);
+        triangle.area2() == 0 && !drawn
     }
 
     /// The edge words of a plain engine: edge functions over a box and one sample a pixel, and with
@@ -47,7 +89,8 @@ impl Profile {
     }
 
     /// The same profile with another machine, by its name: the same fill rule, and words of the
-    /// same width where the machine has such words. `None` for an unknown name.
+    /// same width where the machine has such words. `None` for an unknown name, and for conservative coverage on a
+    /// machine without edge words.
     ///
     /// Where there is nothing to go by, the machine's `adopt` chooses: edge words are as wide as exact
     /// coverage asks, a walk has one guard bit, the integer bits of the vertex field and as many bits as an
@@ -59,6 +102,9 @@ impl Profile {
         if name != self.form.name() {
             let kind = triangle_machines().find(|kind| kind.name == name)?;
             profile.form = (kind.adopt)(&self.form, &self.state())?;
+            // A machine without edge words would cover samples instead of squares.
+            let squares = [&profile, self].map(|profile| profile.conservative().is_some());
+            (squares[0] == squares[1]).then_some(())?;
         }
         if !profile.form.visits_the_box() {
             profile.traversal = None;

@@ -22,15 +22,20 @@ pub struct Gradient {
 }
 
 impl Gradient {
-    /// The gradient of `z` over a normalised triangle of positive area.
+    /// The gradient of `z` over a normalised triangle. Over one without area, the value of vertex 0 is that of
+    /// every point (clause `CR-4`).
     pub fn new(triangle: &Triangle, z: [i128; 3]) -> Self {
+        let (anchor, area2) = ((triangle.xy[0], z[0]), triangle.area2());
+        if area2 == 0 {
+            return Self { x: 0, y: 0, area2: 1, anchor };
+        }
         let [[x0, y0], [x1, y1], [x2, y2]] = triangle.xy;
         let (z1, z2) = (z[1] - z[0], z[2] - z[0]);
         Self {
             x: z1 * (y2 - y0) - z2 * (y1 - y0),
             y: (x1 - x0) * z2 - (x2 - x0) * z1,
-            area2: triangle.area2(),
-            anchor: (triangle.xy[0], z[0]),
+            area2,
+            anchor,
         }
     }
 

@@ -126,6 +126,8 @@ pub struct Depth {
     narrow: Option<Decode<i64>>,
     wide: Option<Decode<i128>>,
     processor: Processor,
+    /// Whether a pixel's depth is that of its nearest corner.
+    nearest: bool,
 }
 
 impl Depth {
@@ -139,7 +141,32 @@ impl Depth {
         processor: Processor,
     ) -> Result<Self, DepthError> {
         let read = config.validate(vertex)?;
-        Ok(Self { config, read, narrow: read.decode(), wide: read.decode(), processor })
+        Ok(Self {
+            config,
+            read,
+            narrow: read.decode(),
+            wide: read.decode(),
+            processor,
+            nearest: false,
+        })
+    }
+
+    /// The same at the corner of each pixel where the plane is least. Spec clause `CR-6`.
+    #[must_use]
+    pub fn at_nearest_corner(self) -> Self {
+        Self { nearest: true, ..self }
+    }
+
+    /// The place in a pixel at which a plane is evaluated, in sub-pixels.
+    #[inline]
+    pub(crate) fn place(&self, gradient: &Gradient, grid: &SampleGrid) -> [i128; 2] {
+        if !self.nearest {
+            return grid.offset;
+        }
+        // From the middle of the pixel to the side that the plane falls towards.
+        let half_side = 1i128 << grid.sub_pixel >> 1;
+        let [x, y] = grid.offset;
+        [x - gradient.x.signum() * half_side, y - gradient.y.signum() * half_side]
     }
 
     /// The accumulator's format.
@@ -147,13 +174,14 @@ impl Depth {
         self.read
     }
 
-    /// The rounded plane of a normalised triangle of positive area, unreduced.
+    /// The rounded plane of a normalised triangle, unreduced.
     #[inline]
     pub fn plane(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> Plane {
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
         let gradient = Gradient::new(triangle, z);
+        let place = self.place(&gradient, grid);
         let plane =
-            Plane::round(&gradient, grid.offset, grid.sub_pixel, interpolation, rounding, division);
+            Plane::round(&gradient, place, grid.sub_pixel, interpolation, rounding, division);
         self.biased(plane, z)
     }
 
@@ -197,7 +225,7 @@ impl Depth {
     /// The same without a depth bias: what evaluates a value that is no depth.
     #[must_use]
     pub fn unbiased(&self) -> Self {
-        Self { config: DepthConfig { bias: None, ..self.config }, ..*self }
+        Self { config: DepthConfig { bias: None, ..self.config }, nearest: false, ..*self }
     }
 
     /// The configuration.

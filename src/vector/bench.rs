@@ -31,7 +31,7 @@ pub(in crate::vector) use unit::UnitKind;
 pub use unit::{UnitBench, UnitTest};
 pub(in crate::vector) use walk::read_out;
 pub use walk::{WalkBench, WalkKind, WalkTest};
-pub(in crate::vector) use word::{bounds, ready};
+pub(in crate::vector) use word::{bounds, bounds_within, ready};
 
 use super::suspect::Suspects;
 use super::table::RowFormat;

@@ -19,6 +19,7 @@ pub(super) use shape::ShapeDrawer;
 pub(super) use triangle::{Drawer, draw, drawing, grid, summary};
 pub(super) use unit::{Computes, NamedWord, STEPS, in_order};
 pub(super) use walk::{Operands, Stepper, guard, reference as walker, signed};
+pub(super) use words::draw_words;
 
 use super::bench::{Answers, Coverage};
 

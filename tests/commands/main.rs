@@ -17,6 +17,7 @@ mod claims;
 mod cli;
 mod command;
 mod compare;
+mod conservative;
 mod coverage;
 mod depth_bias;
 mod dump_form;

@@ -401,8 +401,9 @@ fn a_profile_and_a_question_count_the_same_edge_bits() {
                         Profile { sample: Some(SampleConfig { x, y }), ..profile.clone() };
                     let width = changed.form.edge().unwrap().width;
                     let storage = EdgeStorage::Shifted;
-                    changed.form =
-                        Form::EdgeFunction(EdgeWordConfig { rule, storage, width }.into());
+                    changed.form = Form::EdgeFunction(
+                        EdgeWordConfig { rule, storage, width, conservative: None }.into(),
+                    );
                     let overrides = Overrides { guard_band: Some(band), ..PLAIN };
                     let question = Question::new(&changed, overrides).unwrap();
                     let window = (changed.window.width, changed.window.height);
@@ -411,7 +412,7 @@ fn a_profile_and_a_question_count_the_same_edge_bits() {
                     if question.vertices != [[low; 2], [high; 2]] {
                         continue;
                     }
-                    let edges = EdgeWordConfig { rule, storage, width };
+                    let edges = EdgeWordConfig { rule, storage, width, conservative: None };
                     let grid = question.profile.grid().unwrap();
                     let bits = edges.exact_width(&question.profile.vertex, &grid, window);
                     let stored = find(&prove(&question), "edge.stored");

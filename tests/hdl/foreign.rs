@@ -333,6 +333,10 @@ pub(crate) fn order(_: &str) {
     }
 }
 
+/// Conservative coverage, in words that hold every value of it.
+const SQUARES: &str = "width = 7\n[form.edge-function.conservative]\nmode = \"outer\"\ngrow = 1\n\
+                       degenerate = \"draw\"";
+
 /// What a set has no device for is named: in the verdict, in the head of the bench, in the manifest.
 pub(crate) fn left_out(_: &str) {
     let reciprocal = ("division = \"quotient\"", "division = { reciprocal = { bits = 12 } }");
@@ -344,6 +348,13 @@ pub(crate) fn left_out(_: &str) {
             "triangle",
             "clamp is saturate",
             " setup rows=",
+        ),
+        (
+            "tiny",
+            vec![("width = 6", SQUARES)],
+            "setup",
+            "coverage is conservative",
+            " triangle rows=",
         ),
         (
             "sgi-4k-walk",

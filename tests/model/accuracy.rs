@@ -46,6 +46,7 @@ fn profile(words: &mut Words) -> Profile {
                 rule: FillRule::ALL[index(words, 2)],
                 storage: [EdgeStorage::Full, EdgeStorage::Shifted][index(words, 2)],
                 width: 6 + pick(words, 12),
+                conservative: None,
             }
             .into(),
         )
@@ -179,8 +180,12 @@ fn wraps_and_clamps_are_the_events_of_the_model() {
         let mut words = Words::new(1, 41, index);
         let mut profile = profile(&mut words);
         // Exact coverage: the model then looks at the very samples that are measured.
-        let wide =
-            EdgeWordConfig { rule: FillRule::TopLeft, storage: EdgeStorage::Full, width: 40 };
+        let wide = EdgeWordConfig {
+            rule: FillRule::TopLeft,
+            storage: EdgeStorage::Full,
+            width: 40,
+            conservative: None,
+        };
         profile.form = Form::EdgeFunction(wide.into());
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);
@@ -231,7 +236,8 @@ fn the_order_of_surfaces_is_that_of_the_drawn_codes() {
         let mut words = Words::new(1, 42, index);
         let mut profile = profile(&mut words);
         let rule = FillRule::TopLeft;
-        let wide = EdgeWordConfig { rule, storage: EdgeStorage::Full, width: 40 };
+        let wide =
+            EdgeWordConfig { rule, storage: EdgeStorage::Full, width: 40, conservative: None };
         profile.form = Form::EdgeFunction(wide.into());
         let given = triangles(&mut words, &profile);
         let stage = stage_of(given.clone(), None, &profile);
@@ -274,7 +280,8 @@ fn snap_errors_are_those_of_every_sample() {
         let mut words = Words::new(1, 43, index);
         let mut profile = profile(&mut words);
         let rule = FillRule::TopLeft;
-        let wide = EdgeWordConfig { rule, storage: EdgeStorage::Full, width: 40 };
+        let wide =
+            EdgeWordConfig { rule, storage: EdgeStorage::Full, width: 40, conservative: None };
         profile.form = Form::EdgeFunction(wide.into());
         profile.depth.as_mut().unwrap().integer = 10;
         let fine = real_triangles(&mut words, profile.depth_max());

@@ -13,6 +13,7 @@ mod set;
 
 mod accuracy;
 mod channels;
+mod conservative;
 mod depth_bias;
 mod depth_format;
 mod envelope;

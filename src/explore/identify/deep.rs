@@ -7,7 +7,7 @@ use crate::dda::Processor;
 use crate::model::Model;
 use crate::scene;
 use crate::setup::Triangle as LatticeTriangle;
-use crate::value::{Depth, DepthConfig};
+use crate::value::DepthConfig;
 
 /// A triangle of a root, ready for many words of depth. The machines of this search walk depth planes.
 pub(super) struct Deep<'a> {
@@ -28,7 +28,7 @@ impl<'a> Deep<'a> {
         // All words have as many integer bits, which alone decide the codes of the vertices.
         let profile = root.profile(None, depths.first().copied());
         let triangle: LatticeTriangle = *Model::new(&profile).ok()?.snap(triangle).ok()?;
-        if triangle.area2() == 0 || !profile.form.walks_a_plane() {
+        if profile.culls(&triangle) || !profile.form.walks_a_plane() {
             return None;
         }
         let triangle = triangle.normalised();
@@ -41,8 +41,8 @@ impl<'a> Deep<'a> {
         depth: DepthConfig,
         at: impl Iterator<Item = &'b (u32, u32)>,
     ) -> Option<impl Iterator<Item = u64>> {
-        let vertex = &self.root.model.profile().vertex;
-        let depth = Depth::new(depth, vertex, Processor::default()).ok()?;
+        let profile = self.root.model.profile();
+        let depth = profile.evaluator_of(depth, Processor::default()).ok()?;
         let plane = depth.plane(&self.triangle, self.z, &self.grid);
         Some(at.map(move |(x, y)| depth.code(depth.held(&plane, *x, *y))))
     }

@@ -31,11 +31,12 @@ impl Boxed {
         if !profile.form.visits_the_box() || profile.traversal.is_some() {
             return None;
         }
-        let target = Target { grid: profile.grid().ok()?, clip: model.clip() };
+        let target =
+            Target { grid: profile.grid().ok()?, clip: model.clip(), reach: profile.box_reach() };
         let triangle = triangle.normalised();
         let [x0, y0, x1, y1] = target.bounds(&triangle);
         // Without an area nothing is drawn.
-        let x1 = if triangle.area2() == 0 { x0 } else { x1 };
+        let x1 = if profile.culls(&triangle) { x0 } else { x1 };
         Some(Self { triangle, area: Rect { x0, y0, x1, y1 } })
     }
 

@@ -195,6 +195,7 @@ impl<'a> CarriedValue<'a> {
                 Goal::One => format!("{}.interpolation-one", self.topic),
             },
             row: None,
+            unit: None,
             place: self.question.place(),
             statement,
             error: None,
@@ -247,6 +248,7 @@ impl<'a> CarriedValue<'a> {
         Some(Proof {
             claim: format!("{}.guard", self.topic),
             row: None,
+            unit: None,
             place: self.question.place(),
             statement,
             error: None,

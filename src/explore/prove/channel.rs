@@ -90,6 +90,7 @@ fn flat(question: &Question, channel: &AttributeConfig) -> Proof {
     Proof {
         claim: format!("channel.{}.interpolation", channel.name),
         row: None,
+        unit: None,
         place: question.place(),
         statement: format!(
             "{} is flat: each code is that of a vertex, and it is exact. It needs no interpolation bits.",
@@ -223,6 +224,7 @@ fn coordinates(question: &Question, channel: &AttributeConfig, given: u32) -> Pr
     Proof {
         claim: format!("channel.{}.coordinate", channel.name),
         row: None,
+        unit: None,
         place: question.place(),
         statement,
         error: own.map(|own| own.to_string()),

@@ -235,6 +235,7 @@ impl<'a> Corrected<'a> {
         Proof {
             claim: format!("{}.interpolation", self.over.topic),
             row: None,
+            unit: None,
             place: self.question.place(),
             statement,
             bits,
@@ -310,6 +311,7 @@ pub(super) fn of_w(
     let proof = Proof {
         claim: "w.interpolation".to_owned(),
         row: None,
+        unit: None,
         place: question.place(),
         statement,
         error: None,

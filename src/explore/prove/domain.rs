@@ -175,6 +175,7 @@ impl Question {
                 rule: FillRule::TopLeft,
                 storage: EdgeStorage::Shifted,
                 width,
+                conservative: None,
             })
             .into(),
             traversal: None,

@@ -27,7 +27,12 @@ pub(super) fn proofs(question: &Question) -> Vec<Proof> {
 
 /// The question's profile with an edge function of this word.
 fn narrowed(question: &Question, storage: EdgeStorage, width: u32) -> Profile {
-    let form = EdgeFunctionConfig(EdgeWordConfig { rule: question.rule(), storage, width });
+    let form = EdgeFunctionConfig(EdgeWordConfig {
+        rule: question.rule(),
+        storage,
+        width,
+        conservative: None,
+    });
     Profile { form: form.into(), ..question.profile.clone() }
 }
 
@@ -72,6 +77,7 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
             EdgeStorage::Full => "edge.full".to_owned(),
         },
         row: None,
+        unit: None,
         place: question.place(),
         statement: format!(
             "{} are enough for {what}, for every edge of the vertex box and every sample of the window, so \
@@ -174,7 +180,7 @@ fn misread(question: &Question, storage: EdgeStorage, bits: u32) -> Option<Witne
 }
 
 /// Vertices that can make a triangle around a sample far from an edge.
-fn thirds(vertices: Area, [x, y]: [i128; 2]) -> Vec<[i128; 2]> {
+pub(super) fn thirds(vertices: Area, [x, y]: [i128; 2]) -> Vec<[i128; 2]> {
     let ([x0, y0], [x1, y1]) = (vertices.low, vertices.high);
     let level = [[x0, y], [x1, y], [x, y0], [x, y1]].into_iter().filter(|at| vertices.holds(*at));
     level.chain(vertices.corners()).collect()

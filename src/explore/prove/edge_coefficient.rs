@@ -21,6 +21,7 @@ pub(super) fn coefficient(question: &Question) -> Proof {
     Proof {
         claim: "edge.coefficient".to_owned(),
         row: None,
+        unit: None,
         place: question.place(),
         statement: format!(
             "{} are enough for A and B of every edge; A and B are differences of two vertex coordinates.",
@@ -82,6 +83,7 @@ pub(super) fn constant(question: &Question) -> Proof {
     Proof {
         claim: "edge.constant".to_owned(),
         row: None,
+        unit: None,
         place: question.place(),
         statement: format!(
             "{} are enough for C of every edge; C is the value of E at the top left corner of the window, \

@@ -156,6 +156,7 @@ pub(super) fn proof(question: &Question, subject: &Subject) -> Option<Proof> {
     Some(Proof {
         claim: format!("{}.guard", subject.topic),
         row: None,
+        unit: None,
         place: question.place(),
         statement: statement(bits, depth.clamp),
         error: None,

@@ -128,6 +128,7 @@ fn proof(question: &Question, subject: &Subject, depth: &DepthConfig, goal: Goal
             Goal::One => format!("{}.interpolation-one", subject.topic),
         },
         row: None,
+        unit: None,
         place: question.place(),
         statement: statement(
             question,

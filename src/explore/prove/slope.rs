@@ -48,6 +48,7 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
     Some(Proof {
         claim: "depth.slope".to_owned(),
         row: None,
+        unit: None,
         place: question.place(),
         statement: format!(
             "{} are enough for every depth slope in units of 2^-{fraction} ULP ({codes} without the \

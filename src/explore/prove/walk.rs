@@ -76,6 +76,7 @@ fn fraction(question: &Question, walk: EdgeWalkConfig, length: Length) -> Option
     Some(Proof {
         claim: "walk.fraction".to_owned(),
         row: None,
+        unit: None,
         place: question.place(),
         statement: format!(
             "{} of fraction keep the x of every edge (a start and up to {} steps, each rounded {}) \

@@ -25,6 +25,7 @@ pub(super) fn proof(question: &Question, walk: EdgeWalkConfig, length: Length) -
     Proof {
         claim: "walk.coverage".to_owned(),
         row: None,
+        unit: None,
         place: question.place(),
         statement: match bits {
             Some(bits) => format!(

@@ -83,7 +83,9 @@ impl Rasterizer for BarycentricConfig {
 
     fn check(&self, state: &RasterState) -> Result<(), FormError> {
         self.validate(&state.vertex, state.depth_read_out())
-            .map_err(|error| FormError::own(&KIND, error.field(), error))
+            .map_err(|error| FormError::own(&KIND, error.field(), error))?;
+        let reason = "its walk down the sides looks for samples, and misses squares that a side only touches";
+        edge_words::refuse_conservative(self.edge, &KIND, &["edge"], reason)
     }
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {

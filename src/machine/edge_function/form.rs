@@ -52,8 +52,8 @@ impl DerefMut for EdgeFunctionConfig {
 
 impl EdgeFunctionConfig {
     /// The bounding box row by row.
-    fn box_operations(self) -> Operations {
-        let edge = Count::edge_setup(self.rule) + Count::JUMP;
+    fn box_operations(&self) -> Operations {
+        let edge = Count::edge_word_setup(self) + Count::JUMP;
         Operations {
             triangle: Count::AREA + Count::bounds() + edge.times(3),
             row: Count::STEP.times(3),
@@ -63,8 +63,8 @@ impl EdgeFunctionConfig {
     }
 
     /// Any order of visits: what it looks at depends on what it finds, and is measured.
-    fn traversed_operations(self) -> Operations {
-        let edge = Count::edge_setup(self.rule) + Count::JUMP + Count::corners();
+    fn traversed_operations(&self) -> Operations {
+        let edge = Count::edge_word_setup(self) + Count::JUMP + Count::corners();
         Operations {
             triangle: Count::AREA + Count::bounds() + edge.times(3),
             tile: Count::block(),
@@ -79,8 +79,9 @@ impl Rasterizer for EdgeFunctionConfig {
         &KIND
     }
 
-    fn check(&self, _: &RasterState) -> Result<(), FormError> {
-        edge_words::validate(self.0, &KIND, &[])
+    fn check(&self, state: &RasterState) -> Result<(), FormError> {
+        edge_words::validate(self.0, &KIND, &[])?;
+        edge_words::validate_conservative(self.0, state, &KIND, &[])
     }
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {
@@ -126,7 +127,8 @@ impl Rasterizer for EdgeFunctionConfig {
     }
 
     fn may_misplace(&self, _: &Face<'_>, _: [i128; 2]) -> Option<bool> {
-        Some(false)
+        // The samples of `C-2` are no measure of squares.
+        self.conservative.is_none().then_some(false)
     }
 
     fn neighbours(&self) -> Vec<Step> {

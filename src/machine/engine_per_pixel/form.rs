@@ -72,7 +72,10 @@ impl Rasterizer for EnginePerPixelConfig {
     }
 
     fn check(&self, _: &RasterState) -> Result<(), FormError> {
-        edge_words::validate(self.0, &KIND, &[])
+        edge_words::validate(self.0, &KIND, &[])?;
+        let reason = "an engine at each pixel knows three edge words and no bounding box, and a sharp vertex \
+                      would cover squares beyond it";
+        edge_words::refuse_conservative(self.0, &KIND, &[], reason)
     }
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {

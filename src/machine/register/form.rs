@@ -114,7 +114,7 @@ impl Rasterizer for RegisterConfig {
         let place = |error: &dyn std::fmt::Display| FormError::own(&KIND, &[], error);
         let grid = state.grid().map_err(|error| place(&error))?;
         let clip = state.clip().map_err(|error| place(&error))?;
-        self.machine(&state.vertex, Target { grid, clip })?;
+        self.machine(&state.vertex, Target { grid, clip, reach: 0 })?;
         Ok(())
     }
 

@@ -27,7 +27,7 @@ pub(crate) const KIND: Kind = Kind {
 
 impl TilesConfig {
     fn operations(&self) -> Operations {
-        let edge = Count::edge_setup(self.edge.rule) + Count::JUMP + Count::corners();
+        let edge = Count::edge_word_setup(&self.edge) + Count::JUMP + Count::corners();
         Operations {
             triangle: Count::AREA + Count::bounds() + edge.times(3),
             tile: Count::block(),
@@ -42,8 +42,9 @@ impl Rasterizer for TilesConfig {
         &KIND
     }
 
-    fn check(&self, _: &RasterState) -> Result<(), FormError> {
-        self.validate().map_err(|error| FormError::own(&KIND, error.field(), error))
+    fn check(&self, state: &RasterState) -> Result<(), FormError> {
+        self.validate().map_err(|error| FormError::own(&KIND, error.field(), error))?;
+        edge_words::validate_conservative(self.edge, state, &KIND, &["edge"])
     }
 
     fn build(&self, state: &RasterState, site: Site) -> Result<Box<dyn Machine>, FormError> {
@@ -82,7 +83,8 @@ impl Rasterizer for TilesConfig {
     }
 
     fn may_misplace(&self, _: &Face<'_>, _: [i128; 2]) -> Option<bool> {
-        Some(false)
+        // The samples of `C-2` are no measure of squares.
+        self.edge.conservative.is_none().then_some(false)
     }
 
     fn neighbours(&self) -> Vec<Step> {

@@ -125,7 +125,7 @@ impl Drawn {
 
 /// The pixels `[x0, y0, x1, y1]` that an edge-function machine visits for a face.
 pub fn bounding_box(stage: &Stage, face: &Face) -> [u32; 4] {
-    Target { grid: stage.grid, clip: stage.clip }.bounds(&face.triangle)
+    Target { grid: stage.grid, clip: stage.clip, reach: 0 }.bounds(&face.triangle)
 }
 
 /// Bits that hold every edge word that drawing a face meets.

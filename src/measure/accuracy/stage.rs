@@ -85,6 +85,9 @@ impl Stage {
         truth: &Truth,
         profile: &Profile,
     ) -> Result<Self, InvalidProfile> {
+        if profile.conservative().is_some() {
+            return Err(InvalidProfile::Squares);
+        }
         let model = Model::new(profile)?;
         let (grid, clip) = (profile.grid()?, profile.window()?);
         let world = World::new(profile.depth_max(), reference.lens);

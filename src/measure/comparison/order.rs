@@ -214,7 +214,7 @@ fn float_depths(profile: &Profile, faces: &[Face], traversal: Option<TraversalCo
         );
         #[allow(clippy::cast_precision_loss, reason = "rounded to binary32 on purpose")]
         let plane = rounded.raw().map(|value| value as f32 / 16_777_216.0);
-        let target = crate::machine::Target { grid, clip };
+        let target = crate::machine::Target { grid, clip, reach: profile.box_reach() };
         let mut visitor = Floating {
             edges: &words,
             plane,

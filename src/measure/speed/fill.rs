@@ -63,9 +63,9 @@ fn plainly(profile: &Profile, triangle: &Triangle, raster: &mut PlainRaster, dee
         return;
     };
     let Some(depth) = crate::measure::accuracy::depth_of(profile) else { return };
-    let edges =
-        EdgeWordConfig { rule: profile.form.rule(), storage: EdgeStorage::Shifted, width: 64 };
-    let [x0, y0, x1, y1] = crate::machine::Target { grid, clip }.bounds(&triangle);
+    let (rule, storage) = (profile.form.rule(), EdgeStorage::Shifted);
+    let edges = EdgeWordConfig { rule, storage, width: 64, conservative: None };
+    let [x0, y0, x1, y1] = crate::machine::Target { grid, clip, reach: 0 }.bounds(&triangle);
     let words = edges.words(&triangle, &grid).lanes::<i64>(x0, y0);
     let plane = depth.plane(&triangle, z, &grid);
     let narrow = |value: i128| {

@@ -207,7 +207,7 @@ impl WalkBench {
 /// The depth of a profile, if it has any.
 fn depth_of(profile: &Profile) -> Option<Depth> {
     let processor = crate::dda::Processor::best();
-    profile.depth.and_then(|config| Depth::new(config, &profile.vertex, processor).ok())
+    profile.evaluator(processor).ok().flatten()
 }
 
 /// The accumulator of a stepper of this profile, if it has one.

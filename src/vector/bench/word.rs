@@ -3,6 +3,7 @@
 use super::{FileSpec, TriangleAnswers};
 use crate::cover::Rect;
 use crate::format::{Clamp, Column, Role, WordFormat};
+use crate::machine::Target;
 use crate::model::{Model, View};
 use crate::profile::Profile;
 use crate::setup::Triangle;
@@ -25,10 +26,16 @@ pub(in crate::vector) fn ready(profile: &Profile, draws: bool) -> Model {
 
 /// The bounding box of a triangle in the window: x0 y0 x1 y1, half-open.
 pub(in crate::vector) fn bounds(model: &Model, triangle: &Triangle) -> [u32; 4] {
-    let (clip, grid) = (model.clip(), grid(model));
-    let (x0, x1) = clip.clip(0, grid.pixels(0, triangle.extent(0)));
-    let (y0, y1) = clip.clip(1, grid.pixels(1, triangle.extent(1)));
-    [x0, y0, x1, y1]
+    bounds_within(model, triangle, model.profile().box_reach())
+}
+
+/// The same, if the box reaches so many sub-pixels beyond the vertices.
+pub(in crate::vector) fn bounds_within(
+    model: &Model,
+    triangle: &Triangle,
+    reach: i128,
+) -> [u32; 4] {
+    Target { grid: grid(model), clip: model.clip(), reach }.bounds(triangle)
 }
 
 /// The words of the vertices.

@@ -38,7 +38,7 @@ impl SetUp {
         let fraction = depth.read_out().fraction();
         let scale = grid.sub_pixel + fraction;
         let ([x0, y0], z0) = gradient.anchor;
-        let [x, y] = grid.offset;
+        let [x, y] = depth.place(&gradient, &grid);
         let start = z0 * gradient.area2 + gradient.x * (x - x0) + gradient.y * (y - y0);
         for (role, numerator) in [
             (Role::DEPTH_INIT, start << fraction),

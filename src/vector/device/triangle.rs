@@ -140,7 +140,11 @@ impl Drawer {
     /// Sides of the window that the triangle covers a sample at and goes beyond.
     fn sides(&self, triangle: &Triangle, drawing: &Drawing, met: &mut Coverage) {
         let (clip, grid) = (self.model.clip(), grid(&self.model));
-        let [(x0, x1), (y0, y1)] = [0, 1].map(|axis| grid.pixels(axis, triangle.extent(axis)));
+        let reach = self.model.profile().box_reach();
+        let [(x0, x1), (y0, y1)] = [0, 1].map(|axis| {
+            let (low, high) = triangle.extent(axis);
+            grid.pixels(axis, (low - reach, high + reach))
+        });
         let whole = (i64::MIN.into(), i64::MAX.into());
         let ((left, right), (top, bottom)) = (clip.clip(0, whole), clip.clip(1, whole));
         let any = |at: &dyn Fn(&Span) -> bool| drawing.spans.iter().any(at);

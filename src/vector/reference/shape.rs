@@ -43,6 +43,11 @@ impl Shape {
             (_, Some(walk)) => Coverage::Walk(*walk),
             _ => return Err(format!("the machine is {}", form.engine())),
         };
+        if profile.conservative().is_some() {
+            return Err(
+                "coverage is conservative: the texts cover samples, and no squares".to_owned()
+            );
+        }
         if let Some(depth) = &profile.depth {
             check(depth)?;
         }

@@ -3,6 +3,7 @@
 use super::fault::Path;
 use super::unit::Unit;
 use super::{Suspect, Suspects};
+use crate::cover::EdgeWordConfig;
 use crate::model::Model;
 use crate::profile::neighbours;
 use crate::setup::{Division, Triangle};
@@ -108,13 +109,15 @@ impl Device<SetupTest> for Unturned {
     }
 }
 
-/// Whether a plain unit does what the profile says: edge functions, a depth plane, an exact quotient, no depth bias.
+/// Whether a plain unit does what the profile says: edge functions of samples, a depth plane, an exact quotient, no
+/// depth bias.
 fn is_plain(model: &Model) -> bool {
     let exact = |depth: &crate::value::Depth| {
         let config = depth.config();
         config.division == Division::Quotient && config.bias.is_none()
     };
-    model.profile().plain_edges().is_some() && model.depth().is_some_and(exact)
+    let samples = |edge: EdgeWordConfig| edge.conservative.is_none();
+    model.profile().plain_edges().is_some_and(samples) && model.depth().is_some_and(exact)
 }
 
 /// The plain unit of a model that has one.

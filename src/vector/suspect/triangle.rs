@@ -7,9 +7,9 @@ use super::{Suspect, Suspects};
 use crate::model::{Drawing, Model, Span};
 use crate::profile::neighbours;
 use crate::vector::bench::{
-    Coverage, TriangleAnswers, TriangleBench, TriangleTest, ready, word_engine,
+    Coverage, TriangleAnswers, TriangleBench, TriangleTest, bounds_within, ready, word_engine,
 };
-use crate::vector::device::{Device, Drawer, drawing, grid, summary};
+use crate::vector::device::{Device, Drawer, draw_words, drawing, grid, summary};
 use crate::vector::table::Table;
 use std::sync::Arc;
 
@@ -32,6 +32,12 @@ impl Suspects for TriangleBench {
             list.push(Suspect::new(self, NO_SWAP, Unturned { drawer: Drawer::new(model()) }));
         }
         if let Some(widths) = word_engine(self.model()) {
+            if self.model().profile().conservative().is_some() {
+                list.extend(OtherBox::ALL.map(|wrong| {
+                    let (model, change) = (model(), wrong.change());
+                    Suspect::new(self, change, Boxed { wrong, model, widths })
+                }));
+            }
             let engine = Engine { widths };
             for fault in faults(engine) {
                 let device = Faulty {
@@ -151,6 +157,66 @@ impl Device<TriangleTest> for Unturned {
     }
 }
 
+/// A bounding box that is not that of the squares. Spec clause `CR-3`.
+#[derive(Clone, Copy, Debug)]
+enum OtherBox {
+    AtVertices,
+    PixelMore,
+}
+
+impl OtherBox {
+    const ALL: [Self; 2] = [Self::AtVertices, Self::PixelMore];
+
+    const fn change(self) -> &'static str {
+        match self {
+            Self::AtVertices => {
+                "the bounding box ends at the vertices: it is not moved by the half side of a square"
+            }
+            Self::PixelMore => "the bounding box is a pixel larger on each side",
+        }
+    }
+
+    fn reach(self, model: &Model) -> i128 {
+        match self {
+            Self::AtVertices => 0,
+            Self::PixelMore => {
+                model.profile().box_reach() + (1 << model.profile().vertex.sub_pixel)
+            }
+        }
+    }
+}
+
+/// The right words in a wrong box.
+struct Boxed {
+    wrong: OtherBox,
+    model: Arc<Model>,
+    widths: crate::case::engine::Engine,
+}
+
+impl Device<TriangleTest> for Boxed {
+    fn answer(&mut self, test: &TriangleTest, rows: &mut TriangleAnswers<Table>, _: &mut Coverage) {
+        let drawn = match &test.triangle {
+            Some(triangle) => {
+                let reach = self.wrong.reach(&self.model);
+                let bounds = bounds_within(&self.model, &triangle.normalised(), reach);
+                draw_words(self.widths, &TriangleTest { bounds, ..test.clone() })
+            }
+            None => drawing(&self.model, test),
+        };
+        let spans = drawn.spans.len();
+        rows.exp.push(&summary(test.test, (spans, drawn.samples()), &drawn));
+        let mut left = &drawn.depth[..];
+        for span in &drawn.spans {
+            rows.span(test.test, span);
+            if rows.depths.is_some() {
+                let (values, later) = left.split_at((span.x1 - span.x0) as usize);
+                rows.depths(test.test, span, values);
+                left = later;
+            }
+        }
+    }
+}
+
 /// A plain engine with a fault.
 struct Faulty {
     engine: Engine,
@@ -179,5 +245,62 @@ impl Device<TriangleTest> for Faulty {
                 table.push(&[test.test.into(), y.into(), x.into(), i128::from(z)]);
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Square;
+    use crate::setup::Triangle;
+    use crate::vector::bench::{Source, TestBench};
+    use crate::vector::device::setup_words;
+    use crate::vector::table::RowFormat;
+
+    /// Clause CR-3: a box that ends at the vertices loses squares, one that is larger covers what the words alone
+    /// do not exclude.
+    #[test]
+    fn a_wrong_box_shows_in_the_runs() {
+        let mut profile = crate::profile::load("d3d12-outer").unwrap();
+        profile.window = crate::profile::WindowConfig { width: 8, height: 8 };
+        let source =
+            Source { profile, scene: Arc::default(), values: Arc::default(), seed: 1, count: 64 };
+        let bench = TriangleBench::new(&source);
+        let (model, widths) = (Arc::clone(bench.model()), word_engine(bench.model()).unwrap());
+        // The left vertex lies right of the square of pixel (1, 1), whose lower and upper corners are inside of
+        // all three edges.
+        let xy = [[520, 384], [1900, 300], [1900, 470]];
+        let triangle = Triangle { xy, z: Some([0; 3]) };
+        let square = |x: u32, y: u32| Square {
+            middle: [x, y].map(|at| 512 * i128::from(at) + 256),
+            half_side: 256 + 2,
+        };
+        let touched = |x, y| square(x, y).touches(xy.map(|v| v.map(|at| 2 * at)));
+        let at_vertices = |x, y| touched(x, y) && (2..7).contains(&x) && y == 1;
+        let runs = |covered: &dyn Fn(u32, u32) -> bool| -> Vec<[u32; 2]> {
+            let pixels = (0..8).flat_map(|y| (0..8).map(move |x| [x, y]));
+            pixels.filter(|[x, y]| covered(*x, *y)).collect()
+        };
+        let drawn = |wrong| {
+            let setup = setup_words(&model, &triangle);
+            let bounds = bounds_within(&model, &triangle, model.profile().box_reach());
+            let test = TriangleTest { test: 0, triangle: Some(triangle), setup, bounds };
+            let (_, mut rows) = bench.tables(RowFormat::Tv);
+            let mut device = Boxed { wrong, model: Arc::clone(&model), widths };
+            device.answer(&test, &mut rows, &mut Coverage::default());
+            let text = String::from_utf8(rows.spans.buffer).unwrap();
+            let pixels = text.lines().flat_map(|line| {
+                let words: Vec<u32> =
+                    line.split('_').map(|word| u32::from_str_radix(word, 16).unwrap()).collect();
+                (words[2]..words[3]).map(move |x| [x, words[1]])
+            });
+            pixels.collect::<Vec<_>>()
+        };
+        let right = runs(&touched);
+        assert_eq!(drawn(OtherBox::AtVertices), runs(&at_vertices));
+        assert!(right.contains(&[7, 1]) && !runs(&at_vertices).contains(&[7, 1]));
+        let more = drawn(OtherBox::PixelMore);
+        assert!(more.contains(&[1, 1]) && !right.contains(&[1, 1]));
+        assert!(right.iter().all(|pixel| more.contains(pixel)));
     }
 }

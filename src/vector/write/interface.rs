@@ -94,6 +94,10 @@ fn setup(profile: &Profile) -> Result<SetupParameters, String> {
             "[depth.bias] is given: triangle_setup adds no depth bias to the start of its plane";
         return Err(reason.to_owned());
     }
+    if edge.conservative.is_some() {
+        let reason = "coverage is conservative: triangle_setup sets up samples, and adds no offset for squares";
+        return Err(reason.to_owned());
+    }
     let grid = profile.grid().map_err(|error| error.to_string())?;
     let vertex = &profile.vertex;
     Ok(SetupParameters {

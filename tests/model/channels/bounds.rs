@@ -26,7 +26,8 @@ fn stated(profile: &Profile, triangle: &Triangle, values: [i128; 3], bits: [u32;
     });
     let model = Model::new(&Profile { channel: Vec::new(), w: None, ..profile.clone() }).unwrap();
     let exact = PlaneNumerator::new(triangle.xy, values).unwrap();
-    let target = guardbit::machine::Target { grid: profile.grid().unwrap(), clip: model.clip() };
+    let target =
+        guardbit::machine::Target { grid: profile.grid().unwrap(), clip: model.clip(), reach: 0 };
     // A machine may look at the values of the vertices.
     let triangle = &Triangle { z: Some(values), ..*triangle };
     let face = Face { triangle, grid: &target.grid, bounds: target.bounds(triangle) };

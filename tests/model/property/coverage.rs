@@ -25,7 +25,8 @@ fn storages() -> impl Strategy<Value = EdgeStorage> {
 fn exact(s: u32, offset: [u32; 2], rule: FillRule, storage: EdgeStorage) -> Profile {
     let mut profile = base(s, offset);
     profile.depth = None;
-    profile.form = Form::EdgeFunction(EdgeWordConfig { rule, storage, width: 40 }.into());
+    profile.form =
+        Form::EdgeFunction(EdgeWordConfig { rule, storage, width: 40, conservative: None }.into());
     profile
 }
 
@@ -95,7 +96,7 @@ proptest! {
     ) {
         prop_assume!(area2(xy[0], xy[1], xy[2]) != 0);
         let mut profile = exact(s, offset, rule, storage);
-        profile.form = Form::EdgeFunction(EdgeWordConfig { rule, storage, width }.into());
+        profile.form = Form::EdgeFunction(EdgeWordConfig { rule, storage, width, conservative: None }.into());
         let [a, b, c] = xy;
         let v = if area2(a, b, c) < 0 { [a, c, b] } else { xy };
         let inside = |p: [i128; 2]| {
@@ -238,7 +239,7 @@ proptest! {
             Form::EdgeWalk(EdgeWalkConfig { guard: 1, integer: 7, fraction: width / 4, rounding })
         } else {
             let (rule, storage) = (FillRule::TopLeft, EdgeStorage::Shifted);
-            Form::EdgeFunction(EdgeWordConfig { rule, storage, width }.into())
+            Form::EdgeFunction(EdgeWordConfig { rule, storage, width, conservative: None }.into())
         };
         let triangle = Triangle { xy, z };
         let model = Model::new(&profile).unwrap();
