@@ -30,6 +30,7 @@ mod verify;
 mod wave;
 
 use clap::{Parser, Subcommand};
+use std::io::Write;
 use std::process::ExitCode;
 
 /// Bit-exact fixed-point reference model for triangle rasterization hardware.
@@ -90,10 +91,13 @@ pub fn main(machines: &[guardbit::machine::Own]) -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
         Err(error) => {
-            let status = if error.use_stderr() { 2 } else { 0 };
-            // Printing help to a closed pipe is not worth a word.
-            let _ = error.print();
-            return ExitCode::from(status);
+            // Help on a full disk is a failure; a closed pipe is not worth a word.
+            let printed = error.print().and_then(|()| std::io::stdout().flush());
+            return match printed {
+                _ if error.use_stderr() => ExitCode::from(2),
+                Ok(()) => ExitCode::SUCCESS,
+                Err(error) => failure::Failure::io("standard output", &error).report(),
+            };
         }
     };
     let result = match arguments.command {

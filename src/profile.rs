@@ -2,12 +2,14 @@
 //! Spec clauses `F-4` and `F-5`; the file format is TOML with a published JSON schema.
 
 mod builtin;
+mod file;
 mod form;
 mod load;
 mod neighbour;
 
 pub use crate::machine::{Form, FormError, triangle_machines};
 pub use builtin::{BUILTIN, builtin};
+pub use file::{read_at_most, read_text_at_most};
 pub use load::{ProfileError, load, parse};
 pub use neighbour::{Neighbour, neighbours};
 

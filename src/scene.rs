@@ -31,6 +31,9 @@ pub use place::Place;
 pub use primitive::Primitive;
 pub use shading::{Named, Shading};
 
+/// The most bytes of a file of a scene that are read: 1 GiB.
+pub const LARGEST: u64 = 1 << 30;
+
 /// Where a scene lands.
 ///
 /// Units: pixels for the window, depth ULPs for the depth.

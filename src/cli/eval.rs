@@ -1,6 +1,7 @@
 //! `guardbit eval`: the live model on a pipe.
 
 mod bias;
+mod limited;
 
 use super::Outcome;
 use super::failure::Failure;
@@ -9,6 +10,7 @@ use guardbit::machine::{Registers, Sink};
 use guardbit::model::{Drawing, Model, PixelDetail, Primitive, PrimitiveError, Records, View};
 use guardbit::profile;
 use guardbit::scene::lines;
+use limited::{Limited, NUMBERS};
 use std::fmt::Write as _;
 use std::io::{BufRead, Write};
 
@@ -49,6 +51,10 @@ pub(crate) struct Arguments {
     /// Draw only the pixels with X0 <= x < X1 and Y0 <= y < Y1, given as X0,Y0,X1,Y1.
     #[arg(long, value_parser = super::parse_rect)]
     scissor: Option<guardbit::cover::Rect>,
+    /// The most numbers in an answer, or the most records for "words"; a longer answer is an error. Without
+    /// this option: 16777216 numbers, 4194304 records.
+    #[arg(long, value_name = "N")]
+    limit: Option<u64>,
 }
 
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
@@ -80,7 +86,8 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
             let _ = write!(answer, "{{\"id\": null, \"error\": \"{message}\"}}");
             all_good = false;
         } else {
-            all_good &= reply(&mut models, &line, number, &mut drawing, &mut answer);
+            let place = (number, arguments.limit);
+            all_good &= reply(&mut models, &line, place, &mut drawing, &mut answer);
         }
         answer.push('\n');
         output
@@ -95,7 +102,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 fn reply(
     models: &mut Models,
     line: &[u8],
-    number: u64,
+    (number, limit): (u64, Option<u64>),
     drawing: &mut Drawing,
     answer: &mut String,
 ) -> bool {
@@ -129,16 +136,20 @@ fn reply(
         Err(error) => return refuse(answer, id, &error.to_string()),
     };
     drawing.clear();
-    let drawn = match primitive.words() {
-        Some(words) => reply_records(model, &primitive, words, id, answer),
-        None => model.draw(&primitive, drawing).map_err(|error| error.to_string()).and_then(|()| {
+    let drawn = if let Some(words) = primitive.words() {
+        let most = limit.unwrap_or(Records::MOST);
+        reply_records(model, (&primitive, words), most, id, answer)
+    } else {
+        let mut limited = Limited::new(drawing, limit.unwrap_or(NUMBERS));
+        let drawn = model.draw(&primitive, &mut limited).map_err(|error| error.to_string());
+        drawn.and_then(|()| limited.check()).and_then(|()| {
             let details = primitive.shaded().map_or(Ok(Vec::new()), |(triangle, values)| {
                 model.details(triangle, values, drawing)
             });
             let details = details.map_err(|error| error.to_string())?;
             write_answer(answer, id, (model, drawing, &details), given);
             Ok(())
-        }),
+        })
     };
     match drawn {
         Ok(()) => true,
@@ -149,8 +160,8 @@ fn reply(
 /// Answers registers with records.
 fn reply_records(
     model: &Model,
-    primitive: &Primitive,
-    words: &[u32],
+    (primitive, words): (&Primitive, &[u32]),
+    most: u64,
     id: Option<&str>,
     answer: &mut String,
 ) -> Result<(), String> {
@@ -158,13 +169,14 @@ fn reply_records(
         registers: &'a Registers,
         answer: &'a mut String,
         rows: u64,
+        most: u64,
     }
     impl Sink for Lines<'_> {
         fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
 
         fn record(&mut self, kind: usize, values: &[i64]) {
             self.rows += 1;
-            if self.rows > Records::MOST {
+            if self.rows > self.most {
                 return;
             }
             self.answer.push_str(if self.rows == 1 { "[\"" } else { ", [\"" });
@@ -176,14 +188,13 @@ fn reply_records(
         return Err(PrimitiveError::NoRegisters.to_string());
     };
     let _ = write!(answer, "{{\"id\": {}, \"out\": [", id.unwrap_or("null"));
-    let mut records = Lines { registers, answer, rows: 0 };
+    let mut records = Lines { registers, answer, rows: 0, most };
     model.draw(primitive, &mut records).map_err(|error| error.to_string())?;
-    if records.rows > Records::MOST {
+    if records.rows > most {
         let rows = records.rows;
         answer.clear();
         return Err(format!(
-            "the hardware draws {rows} records, but an answer has at most {}",
-            Records::MOST
+            "the hardware draws {rows} records, but an answer has at most {most}; --limit N allows more"
         ));
     }
     answer.push(']');

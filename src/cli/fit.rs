@@ -63,6 +63,9 @@ pub(crate) struct Arguments {
     json: bool,
 }
 
+/// What is said when the search is stopped.
+const INTERRUPTED: &str = "interrupted: the search had no result yet";
+
 /// `METRIC=LIMIT`.
 fn parse_tolerance(text: &str) -> Result<Tolerance, String> {
     let (name, limit) =
@@ -171,10 +174,12 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         announce(&sweep)?;
         let monitor = progress::monitor();
         let found = progress::watch("searching", &monitor, || {
-            fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(failed)
+            progress::at_once(INTERRUPTED, || {
+                fit(&request, &|| !monitor.cancel.load(Ordering::Relaxed)).map_err(failed)
+            })
         })?;
         let Some(found) = found else {
-            return Err(Failure::interrupted("interrupted: the search had no result yet"));
+            return Err(Failure::interrupted(INTERRUPTED));
         };
         if let Some(best) = &found.best {
             look_for_nothing(best, &request.tolerances)?;

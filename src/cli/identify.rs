@@ -200,7 +200,8 @@ fn reading<'a>(arguments: &Arguments, folder: &'a Path) -> Reading<'a> {
 fn read(arguments: &Arguments) -> Result<Vec<Case>, Failure> {
     let Some(path) = &arguments.cases else { return Ok(Vec::new()) };
     let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
+    let text = guardbit::profile::read_text_at_most(path, guardbit::scene::LARGEST)
+        .map_err(|error| Failure::io(&name, &error))?;
     let folder = path.parent().unwrap_or(Path::new("."));
     let cases = reading(arguments, folder).cases(&name, &text).map_err(Failure::input)?;
     if cases.is_empty() && !arguments.next && arguments.device.is_none() {

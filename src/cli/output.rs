@@ -37,10 +37,21 @@ impl Output {
     }
 }
 
-/// Where a file is written until it is whole.
-fn aside(path: &Path) -> PathBuf {
+/// A new file in which another is written until it is whole. Two processes can have one id, each in its
+/// container, and a killed one leaves its file: neither may be in the way.
+fn aside(path: &Path) -> std::io::Result<(File, PathBuf)> {
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
-    path.with_file_name(format!(".{name}.partial-{}", std::process::id()))
+    let mut tag = std::process::id().to_string();
+    for n in 2.. {
+        let aside = path.with_file_name(format!(".{name}.partial-{tag}"));
+        match File::create_new(&aside) {
+            Err(error) if error.kind() == std::io::ErrorKind::AlreadyExists && n < 10_000 => {
+                tag = format!("{}-{n}", std::process::id());
+            }
+            made => return made.map(|file| (file, aside)),
+        }
+    }
+    unreachable!("the loop ends only by returning")
 }
 
 /// Whether [`write_whole`] will have a place to write to, found out by trying; nothing is left.
@@ -49,12 +60,9 @@ pub(crate) fn check_place(path: &Path) -> Result<(), Failure> {
     match std::fs::metadata(path) {
         Ok(there) if there.is_dir() => Err(failed(&std::io::ErrorKind::IsADirectory.into())),
         Ok(there) if !there.is_file() => Ok(()),
-        _ => {
-            let aside = aside(path);
-            File::create(&aside)
-                .and_then(|_| std::fs::remove_file(&aside))
-                .map_err(|error| failed(&error))
-        }
+        _ => aside(path)
+            .and_then(|(_, aside)| std::fs::remove_file(&aside))
+            .map_err(|error| failed(&error)),
     }
 }
 
@@ -69,20 +77,24 @@ pub(crate) fn write_whole(
             .and_then(|file| write(BufWriter::new(file)))
             .map_err(|error| Failure::io(&path.display().to_string(), &error));
     }
-    let aside = aside(path);
-    let result = File::create(&aside)
-        .and_then(|file| write(BufWriter::new(file)))
-        .and_then(|()| std::fs::rename(&aside, path));
+    let failed = |error: &std::io::Error| Failure::io(&path.display().to_string(), error);
+    let (file, aside) = aside(path).map_err(|error| failed(&error))?;
+    let result = write(BufWriter::new(file)).and_then(|()| std::fs::rename(&aside, path));
     result.map_err(|error| {
         let _ = std::fs::remove_file(&aside);
-        Failure::io(&path.display().to_string(), &error)
+        failed(&error)
     })
 }
 
 /// Writes a text file, whole or not at all.
 pub(crate) fn write_text(path: &Path, text: &str) -> Result<(), Failure> {
+    write_bytes(path, text.as_bytes())
+}
+
+/// Writes a file, whole or not at all.
+pub(crate) fn write_bytes(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     write_whole(path, |mut file| {
-        file.write_all(text.as_bytes())?;
+        file.write_all(bytes)?;
         file.flush()
     })
 }

@@ -4,7 +4,7 @@ use guardbit::vector::write::Monitor;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use std::time::Duration;
 
 /// The monitor that Ctrl-C cancels: one for the process, which has one handler.
@@ -15,10 +15,29 @@ pub(crate) fn monitor() -> Arc<Monitor> {
         let handle = Arc::clone(&monitor);
         // Without a handler Ctrl-C ends the process at once: worse, but no reason to refuse the
         // work.
-        let _ = ctrlc::set_handler(move || handle.cancel.store(true, Ordering::Relaxed));
+        let _ = ctrlc::set_handler(move || {
+            if let Some(message) = *AT_ONCE.lock().unwrap_or_else(PoisonError::into_inner) {
+                eprintln!("error: {message}");
+                std::process::exit(130);
+            }
+            handle.cancel.store(true, Ordering::Relaxed);
+        });
         monitor
     });
     Arc::clone(monitor)
+}
+
+/// What Ctrl-C says as it ends the process, while there is nothing to tidy up.
+static AT_ONCE: Mutex<Option<&'static str>> = Mutex::new(None);
+
+/// Runs work that writes nothing, so that Ctrl-C and SIGTERM may end it at any moment: one picture of a large
+/// window takes minutes.
+pub(crate) fn at_once<T>(message: &'static str, work: impl FnOnce() -> T) -> T {
+    let say = |what| *AT_ONCE.lock().unwrap_or_else(PoisonError::into_inner) = what;
+    say(Some(message));
+    let result = work();
+    say(None);
+    result
 }
 
 /// Runs `work` while its time and a byte counter show, if standard error is a terminal.

@@ -86,6 +86,10 @@ pub(crate) fn snap_scene(profile: &Profile, source: &str) -> Result<SnappedScene
         eprintln!("note: {source}: {refused} triangles are left out; the first reason: {first}");
     }
     let stem = Path::new(source).file_stem().map(|stem| stem.to_string_lossy().into_owned());
-    let name = stem.unwrap_or_else(|| source.to_owned());
+    let mut name = stem.unwrap_or_else(|| source.to_owned());
+    // The name of a built-in scene says which triangles a set has, so no file has it.
+    if name != source && scene::builtin_names().iter().any(|(known, _)| *known == name) {
+        name.push_str("-file");
+    }
     Ok(SnappedScene { name, triangles, refused, numbers, scene })
 }

@@ -75,10 +75,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     output.flush()?;
     let name = bench.name();
     if let Some(path) = &arguments.vcd {
-        wave::vcd(path, name, &files).map_err(|e| Failure::io(&path.display().to_string(), &e))?;
+        wave::vcd(path, name, &files)?;
     }
     if let Some(path) = &arguments.fst {
-        wave::fst(path, name, &files).map_err(|e| Failure::io(&path.display().to_string(), &e))?;
+        wave::fst(path, name, &files)?;
     }
     Ok(Outcome::Good)
 }

@@ -15,7 +15,7 @@ use guardbit::vector::table::RowFormat;
 use guardbit::vector::write::{self, Options, SetRequest};
 use std::io::{ErrorKind, Write};
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, PoisonError};
 
 /// Write golden test vectors with packages, testbenches and a manifest.
 ///
@@ -65,7 +65,7 @@ pub(crate) struct Arguments {
     /// Number of worker threads; the output does not depend on it.
     #[arg(long, value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Replace the set in an existing DIR.
+    /// Replace the set in an existing DIR, if every file there is as the set was written.
     #[arg(long)]
     force: bool,
 }
@@ -165,10 +165,13 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         }
     }
     let monitor = progress::monitor();
-    let manifests = progress::watch("writing", &monitor, || {
+    let written = progress::watch("writing", &monitor, || {
         write::write(&requests, &arguments.out, nested, &options, &monitor)
-    })
-    .map_err(|error| write_failure(&arguments.out, &error))?;
+    });
+    for note in monitor.notes.lock().unwrap_or_else(PoisonError::into_inner).drain(..) {
+        eprintln!("note: {note}");
+    }
+    let manifests = written.map_err(|error| write_failure(&arguments.out, &error))?;
     let mut output = Output::new();
     for (manifest, request) in manifests.iter().zip(&requests) {
         let drawn = |group: &GroupEntry| group.bench == "channel" && group.tag == SCENE.tag;
@@ -226,8 +229,8 @@ fn write_failure(out: &Path, error: &std::io::Error) -> Failure {
                 .hint("choose another folder with --out, or replace the set with --force")
         }
         ErrorKind::DirectoryNotEmpty => {
-            Failure::input(format!("{error}; --force replaces only a complete set"))
-                .hint("move the folder away, or choose another folder with --out")
+            Failure::input(format!("{error}; --force replaces only a set as it was written"))
+                .hint("move these files away, or choose another folder with --out")
         }
         ErrorKind::NotADirectory => {
             Failure::input(format!("{}: this is a file, a folder is needed", out.display()))

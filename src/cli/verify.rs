@@ -7,7 +7,7 @@ use super::progress;
 use guardbit::profile;
 use guardbit::vector::check::{self, CheckError, CheckOptions, OpenSet};
 use guardbit::vector::dump::{self, CompareError, Differs, DumpError, DumpReport, Placed};
-use guardbit::vector::write::Monitor;
+use guardbit::vector::write::{self, Monitor};
 use std::path::{Path, PathBuf};
 
 /// Check that a set is complete and unchanged, or compare the dump of a device with a set.
@@ -29,6 +29,9 @@ pub(crate) struct Arguments {
     /// Compute every expected row again from profile, scene and seed, and compare.
     #[arg(long)]
     recompute: bool,
+    /// Check that the set is the one with this digest: the last line of its manifest.json, or of sets.json.
+    #[arg(long, value_name = "HEX", value_parser = parse_digest)]
+    digest: Option<String>,
     /// Check that the set was made with this profile: a built-in name or a TOML file.
     #[arg(long, value_name = "PROFILE")]
     profile: Option<String>,
@@ -40,6 +43,14 @@ pub(crate) struct Arguments {
     threads: Option<u16>,
 }
 
+/// 64 hexadecimal digits.
+fn parse_digest(text: &str) -> Result<String, String> {
+    if text.len() == 64 && text.bytes().all(|byte| byte.is_ascii_hexdigit()) {
+        return Ok(text.to_owned());
+    }
+    Err("a digest has 64 hexadecimal digits, as in the last line of manifest.json".to_owned())
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let believed = arguments.profile.as_deref().map(profile::load).transpose()?;
     // Nothing is written, so nothing has to be tidied up: Ctrl-C may end the process at once.
@@ -47,11 +58,15 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let options = CheckOptions {
         recompute: arguments.recompute,
         profile: believed.as_ref(),
+        digest: arguments.digest.as_deref(),
         threads: super::vectors::threads(arguments.threads),
     };
     let report =
         progress::watch("checking", &monitor, || check::check(&arguments.dir, options, &monitor))
             .map_err(check_failure)?;
+    for note in &report.notes {
+        eprintln!("note: {note}");
+    }
     let mut output = Output::new();
     for finding in report.findings.iter().take(arguments.errors) {
         output.line(finding.to_string())?;
@@ -279,6 +294,12 @@ pub(crate) fn check_failure(error: CheckError) -> Failure {
             Failure::interrupted(&format!("{path}: interrupted"))
         }
         CheckError::Io { path, source } => Failure::io(&path, &source),
+        CheckError::Unfinished(folder) if write::is_half_replaced(&folder) => {
+            Failure::input(CheckError::Unfinished(folder)).hint(
+                "a run was killed while it replaced the set; `guardbit vectors --force` with the same folder puts \
+                 the old set back and then replaces it",
+            )
+        }
         other => Failure::input(other),
     }
 }

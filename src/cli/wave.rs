@@ -1,12 +1,14 @@
 //! Wave files of a trace: Value Change Dump and FST, one clock a row.
 
+use super::failure::Failure;
+use super::output::{write_bytes, write_whole};
 use fst_writer::{
-    FstFileType, FstInfo, FstScopeType, FstSignalType, FstVarDirection, FstVarType, open_fst,
+    FstFileType, FstHeaderWriter, FstInfo, FstScopeType, FstSignalType, FstVarDirection, FstVarType,
 };
 use guardbit::vector::bench::FileSpec;
 use guardbit::vector::package::identifier;
 use std::fs::File;
-use std::io::{BufWriter, Error, Result, Write};
+use std::io::{BufWriter, Result, Write};
 use std::path::Path;
 use vcd::{TimescaleUnit, Value, VarType};
 
@@ -55,10 +57,14 @@ fn signals(files: &Files) -> (Vec<Signal<'_>>, usize) {
     (list, clocks)
 }
 
-/// Writes a Value Change Dump.
-pub(crate) fn vcd(path: &Path, module: &str, files: &Files) -> Result<()> {
+/// Writes a Value Change Dump, whole or not at all.
+pub(crate) fn vcd(path: &Path, module: &str, files: &Files) -> std::result::Result<(), Failure> {
+    write_whole(path, |file| write_vcd(file, module, files))
+}
+
+fn write_vcd(file: BufWriter<File>, module: &str, files: &Files) -> Result<()> {
     let (signals, clocks) = signals(files);
-    let mut writer = vcd::Writer::new(BufWriter::new(File::create(path)?));
+    let mut writer = vcd::Writer::new(file);
     writer.timescale(1, TimescaleUnit::NS)?;
     writer.add_module(&identifier(module))?;
     let clock = writer.add_wire(1, "clk")?;
@@ -85,15 +91,15 @@ pub(crate) fn vcd(path: &Path, module: &str, files: &Files) -> Result<()> {
     writer.writer().flush()
 }
 
-/// Writes an FST file.
-pub(crate) fn fst(path: &Path, module: &str, files: &Files) -> Result<()> {
-    write_fst(path, module, files).map_err(|error| match error {
-        fst_writer::FstWriteError::Io(error) => error,
-        other => Error::other(other.to_string()),
-    })
+/// Writes an FST file, whole or not at all. It is made in memory, where its writer can go back, so that a pipe
+/// takes it as well.
+pub(crate) fn fst(path: &Path, module: &str, files: &Files) -> std::result::Result<(), Failure> {
+    let bytes = fst_bytes(module, files)
+        .map_err(|error| Failure::input(format!("{}: {error}", path.display())))?;
+    write_bytes(path, &bytes)
 }
 
-fn write_fst(path: &Path, module: &str, files: &Files) -> fst_writer::Result<()> {
+fn fst_bytes(module: &str, files: &Files) -> fst_writer::Result<Vec<u8>> {
     let (signals, clocks) = signals(files);
     let info = FstInfo {
         start_time: 0,
@@ -103,7 +109,7 @@ fn write_fst(path: &Path, module: &str, files: &Files) -> fst_writer::Result<()>
         date: String::new(),
         file_type: FstFileType::Verilog,
     };
-    let mut header = open_fst(path, &info)?;
+    let mut header = FstHeaderWriter::write_to_mem(&info)?;
     let module = identifier(module);
     header.scope(&module, &module, FstScopeType::Module)?;
     let mut var = |name: &str, width| {
@@ -127,6 +133,5 @@ fn write_fst(path: &Path, module: &str, files: &Files) -> fst_writer::Result<()>
         body.signal_change(clock, b"0")?;
     }
     body.time_change(clocks as u64 * CLOCK)?;
-    body.finish()?;
-    Ok(())
+    Ok(body.finish()?.into_inner())
 }

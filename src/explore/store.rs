@@ -1,8 +1,9 @@
 //! Results of a sweep in a file. Each result is saved at once, so an interrupted sweep can continue, and
 //! parts from several computers can be joined. Spec clause `Q-6`.
 //!
-//! JSON Lines: the first line names the request, each further line one number of its space. What
-//! follows from the request alone, such as a budget's cost, is not kept but made again.
+//! JSON Lines: the first line names the request, each further line one number of its space, with a digest
+//! of request and line. What follows from the request alone, such as a budget's cost, is not kept but made
+//! again.
 
 use super::record::{Record, Speed};
 use super::space::{Point, describe};
@@ -42,6 +43,32 @@ struct Line {
     speed: Option<Speed>,
 }
 
+/// What stands before the check of a line.
+const CHECK: &str = ",\"check\":\"";
+
+/// The check of a line: the first digits of the SHA-256 of the request and of the line without its check.
+fn check(request: &str, line: &str) -> String {
+    hex(&Sha256::new().chain_update(request).chain_update(line).finalize()[..8])
+}
+
+/// A line with its check.
+fn sealed(request: &str, line: &str) -> String {
+    let open = line.strip_suffix('}').unwrap_or(line);
+    format!("{open}{CHECK}{}\"}}\n", check(request, line))
+}
+
+/// A line without its check; what is wrong with it if that does not fit.
+fn opened(request: &str, line: &str) -> Result<String, &'static str> {
+    let Some((open, _)) = line.rsplit_once(CHECK) else {
+        return Err("the line has no check: it was cut, or an older version of guardbit wrote it");
+    };
+    let text = format!("{open}}}");
+    if sealed(request, &text).trim_end() != line {
+        return Err("the line was edited: its check does not fit");
+    }
+    Ok(text)
+}
+
 /// A file of results that cannot be used.
 #[derive(Debug, thiserror::Error)]
 pub enum StoreError {
@@ -54,6 +81,16 @@ pub enum StoreError {
         line: usize,
         /// What is wrong.
         message: String,
+    },
+    /// A line that was edited or cut, or written before lines had a check.
+    #[error("{path}:{line}: {what}; delete the line, or the file, and measure again")]
+    Edited {
+        /// The file.
+        path: String,
+        /// Line, from 1.
+        line: usize,
+        /// What is wrong.
+        what: &'static str,
     },
     /// Another sweep's results.
     #[error(
@@ -113,8 +150,8 @@ fn hex(bytes: &[u8]) -> String {
     bytes.iter().flat_map(|byte| [digit(byte >> 4), digit(byte & 15)]).collect()
 }
 
-/// The line of a result.
-pub fn line(found: &Found) -> String {
+/// The line of a result of a request.
+pub fn line(header: &Header, found: &Found) -> String {
     let line = match found {
         Found::Measured(record) => Line {
             index: record.index,
@@ -126,7 +163,7 @@ pub fn line(found: &Found) -> String {
             Line { index: *index, accuracy: None, operations: None, speed: None }
         }
     };
-    serde_json::to_string(&line).unwrap_or_default() + "\n"
+    sealed(&header.request, &serde_json::to_string(&line).unwrap_or_default())
 }
 
 /// Results by number; of two for one number the later counts.
@@ -156,8 +193,12 @@ pub fn read(
         return Err(StoreError::Other { path: path.to_owned(), what });
     }
     for (number, text) in lines {
+        let text = opened(&header.request, text).map_err(|what| {
+            let path = path.to_owned();
+            StoreError::Edited { path, line: number, what }
+        })?;
         let line: Line =
-            serde_json::from_str(text).map_err(|error| syntax(number, error.to_string()))?;
+            serde_json::from_str(&text).map_err(|error| syntax(number, error.to_string()))?;
         let index = line.index;
         if index >= sweep.space.len() {
             return Err(syntax(number, format!("index = {index} >= {}", sweep.space.len())));

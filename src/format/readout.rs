@@ -189,7 +189,8 @@ impl ReadOut {
         match self.clamp {
             Clamp::Saturate => accumulator,
             Clamp::Wrap => accumulator & (self.top() - 1),
-            _ => ((accumulator - lowest) & ((1 << self.width()) - 1)) + lowest,
+            // 2^N divides 2^128: what wraps here is taken away again.
+            _ => (accumulator.wrapping_sub(lowest) & ((1 << self.width()) - 1)) + lowest,
         }
     }
 
@@ -239,7 +240,7 @@ impl ReadOut {
     /// One step of a sticky accumulator: the sum, held in `[0, 2^(i+F))`. Spec clause `G-5`.
     #[inline]
     pub fn saturating_step(self, accumulator: i128, step: i128) -> i128 {
-        (accumulator + step).clamp(0, self.top() - 1)
+        accumulator.saturating_add(step).clamp(0, self.top() - 1)
     }
 
     /// The same decoding for a left-justified lane, as two thresholds. `None` if the lane is too

@@ -127,5 +127,13 @@ mod tests {
         let mut edge = model.edge_walk().expect("tiny has edge words");
         assert_eq!(edge.clock(Op::Load, [0, 0, 0]), (0, 1));
         assert_eq!(edge.clock(Op::StepY, [0, 0, -1]), (63, 0));
+        // The ends of the type are words like any other: 2^127 - 1 = -1 and -2^127 = 0 mod 2^7 and 2^6.
+        assert_eq!(walk.clock(Op::Load, [i128::MAX, 0, 0]), (127, 0));
+        assert_eq!(walk.clock(Op::StepX, [0, i128::MIN, 0]), (127, 0));
+        assert_eq!(walk.clock(Op::StepX, [0, 2, 0]), (1, 0));
+        assert_eq!(walk.clock(Op::Load, [i128::MIN, i128::MAX, 0]), (0, 0));
+        assert_eq!(walk.clock(Op::StepX, [i128::MIN, i128::MAX, 0]), (127, 0));
+        assert_eq!(edge.clock(Op::Load, [i128::MAX, 0, 0]), (63, 0));
+        assert_eq!(edge.clock(Op::StepX, [0, 1, 0]), (0, 1));
     }
 }

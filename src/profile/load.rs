@@ -1,7 +1,10 @@
 //! Reading profiles, with errors that point at file, line and field.
 
-use super::{BUILTIN, InvalidProfile, Profile, builtin};
+use super::{BUILTIN, InvalidProfile, Profile, builtin, read_at_most};
 use toml::de::{DeTable, DeValue};
+
+/// The most bytes of a profile that are read: the built-in ones have a few thousand.
+const LARGEST: u64 = 1 << 20;
 
 /// A profile that cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -81,7 +84,7 @@ pub fn load(source: &str) -> Result<Profile, ProfileError> {
         let known: Vec<&str> = BUILTIN.iter().map(|(name, _)| *name).collect();
         return Err(ProfileError::Unknown { name: source.to_owned(), known: known.join(", ") });
     }
-    let bytes = std::fs::read(source)
+    let bytes = read_at_most(std::path::Path::new(source), LARGEST)
         .map_err(|error| ProfileError::Io { path: source.to_owned(), source: error })?;
     let text = String::from_utf8(bytes).map_err(|error| ProfileError::Encoding {
         path: source.to_owned(),

@@ -5,9 +5,10 @@ use std::path::Path;
 #[cfg(feature = "verification")]
 use super::mesh::gltf;
 use super::mesh::{Mesh, MeshError, obj, ply, stl};
-use super::{Attributes, Scene, SceneError, Viewport, camera};
+use super::{Attributes, LARGEST, Scene, SceneError, Viewport, camera};
 #[cfg(feature = "verification")]
 use super::{Place, lines};
+use crate::profile::read_at_most;
 
 /// A format that is read.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -130,7 +131,7 @@ fn json_lines(_: &str, path: &str) -> Result<Scene, SceneError> {
 
 /// The file's bytes; a missing file whose name does not look like one is an unknown scene.
 fn read(source: &str) -> Result<Vec<u8>, SceneError> {
-    std::fs::read(source).map_err(|error| {
+    read_at_most(Path::new(source), LARGEST).map_err(|error| {
         let looks_like_file = MESHES.iter().any(|(.., ends, _)| has_extension(source, ends))
             || has_extension(source, &["jsonl", "ndjson", "json"])
             || source.contains(std::path::is_separator);

@@ -1,19 +1,21 @@
 //! Checking a set against itself, and against the model. Spec clauses `N-10` to `N-12`.
 
+mod file;
 mod open;
 mod recompute;
+mod scene;
 
 pub use open::open;
-pub use recompute::{format, read_scene, source};
+pub use recompute::{format, source};
+pub use scene::read_scene;
 
-use super::manifest::{self, FileEntry, Manifest, hex_digest};
+use super::manifest::{self, FileEntry, Manifest};
 use super::write::{INDEX, Monitor};
 use crate::model::MODEL_VERSION;
 use crate::profile::Profile;
+use file::{State, folders_of_runs, state, strange_vectors};
+use open::open_pinned;
 use recompute::recompute;
-use sha2::{Digest, Sha256};
-use std::fs::File;
-use std::io::{ErrorKind, Read};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -106,6 +108,8 @@ pub struct CheckOptions<'a> {
     pub recompute: bool,
     /// The profile the caller believes in.
     pub profile: Option<&'a Profile>,
+    /// The digest of the set, or of the index of several, that the caller knows.
+    pub digest: Option<&'a str>,
     /// Worker threads.
     pub threads: usize,
 }
@@ -128,6 +132,8 @@ pub struct CheckReport {
     pub findings: Vec<Finding>,
     /// Rows checked.
     pub rows: u64,
+    /// What was not checked.
+    pub notes: Vec<String>,
 }
 
 /// What to do with a set of another schema.
@@ -153,8 +159,14 @@ pub fn check(
     options: CheckOptions<'_>,
     monitor: &Monitor,
 ) -> Result<CheckReport, CheckError> {
-    let (sets, findings) = open(dir)?;
-    let mut report = CheckReport { sets, findings, rows: 0 };
+    let (sets, findings) = open_pinned(dir, options.digest)?;
+    let mut report = CheckReport { sets, findings, ..CheckReport::default() };
+    report.notes.extend(folders_of_runs(dir).into_iter().map(|folder| {
+        format!(
+            "{} is of a run that was killed or is still writing; it is not checked",
+            folder.display()
+        )
+    }));
     if let Some(believed) = options.profile {
         // Of several sets one must be of the believed profile; the rest are its variants.
         if !report.sets.iter().any(|set| set.manifest.profile == *believed)
@@ -171,15 +183,15 @@ pub fn check(
         .flat_map(|set| set.manifest.files.iter().map(move |file| (set, file)))
         .collect();
     let next = AtomicUsize::new(0);
-    let results: Mutex<Vec<(usize, Result<bool, CheckError>)>> = Mutex::default();
+    let results: Mutex<Vec<(usize, Result<State, CheckError>)>> = Mutex::default();
     std::thread::scope(|scope| {
         for _ in 0..options.threads.clamp(1, jobs.len().max(1)) {
             scope.spawn(|| {
                 loop {
                     let job = next.fetch_add(1, Ordering::Relaxed);
                     let Some(&(set, file)) = jobs.get(job) else { break };
-                    let same = is_as_listed(&set.folder.join(&file.name), file, monitor);
-                    results.lock().unwrap_or_else(PoisonError::into_inner).push((job, same));
+                    let found = state(&set.folder.join(&file.name), file, monitor);
+                    results.lock().unwrap_or_else(PoisonError::into_inner).push((job, found));
                 }
             });
         }
@@ -190,13 +202,19 @@ pub fn check(
     }
     results.sort_by_key(|(job, _)| *job);
     let mut suspects: Vec<(PathBuf, String)> = Vec::new();
-    for (job, same) in results {
+    let (mut found, mut unread) = (Vec::new(), Vec::new());
+    for (job, state) in results {
         let (set, file) = jobs[job];
-        if !same? {
-            suspects.push((set.folder.clone(), file.name.clone()));
+        match state? {
+            State::Same => {}
+            State::Differs => suspects.push((set.folder.clone(), file.name.clone())),
+            State::NoFile => {
+                let message = "it is a link or no file at all, and is not read".to_owned();
+                found.push(Finding { file: set.folder.join(&file.name), line: None, message });
+                unread.push(set.folder.clone());
+            }
         }
     }
-    let mut found = Vec::new();
     for set in &report.sets {
         let mine: Vec<&str> = suspects
             .iter()
@@ -204,8 +222,19 @@ pub fn check(
             .map(|(_, name)| name.as_str())
             .collect();
         found.extend(strange_vectors(set)?);
+        if unread.contains(&set.folder) {
+            continue;
+        }
         if !mine.is_empty() || options.recompute {
             found.extend(recompute(set, &mine, options.recompute)?);
+        }
+        if options.recompute && !scene::is_builtin(&set.manifest) {
+            let name = &set.manifest.scene.name;
+            report.notes.push(format!(
+                "{}: the scene {name:?} came from a file, so its name and its count of refused triangles cannot be \
+                 computed again; --digest checks them",
+                set.folder.display()
+            ));
         }
     }
     report.findings.extend(found);
@@ -227,49 +256,4 @@ pub fn difference(found: &Profile, believed: &Profile) -> String {
         Some((a, b)) => format!("the set has {a}, but the profile of --profile has {b}"),
         None => "the two profiles have different fields".to_owned(),
     }
-}
-
-/// Vector files in the folder that the manifest does not list. What a bench dumps beside them,
-/// `*.dut.tv`, is none.
-fn strange_vectors(set: &OpenSet) -> Result<Vec<Finding>, CheckError> {
-    let mut findings = Vec::new();
-    for entry in std::fs::read_dir(&set.folder).map_err(io(&set.folder))?.filter_map(Result::ok) {
-        let name = entry.file_name().to_string_lossy().into_owned();
-        let vectors = [".exp.", ".cfg.", ".testfloat"].iter().any(|part| name.contains(part));
-        let dumped = name.ends_with(".dut.tv");
-        if vectors && !dumped && !set.manifest.files.iter().any(|file| file.name == name) {
-            let message = "the manifest does not list this vector file".to_owned();
-            findings.push(Finding { file: entry.path(), line: None, message });
-        }
-    }
-    findings.sort_by(|a, b| a.file.cmp(&b.file));
-    Ok(findings)
-}
-
-/// Whether a file has the digest, length and rows that its entry says; a missing one has not.
-fn is_as_listed(path: &Path, entry: &FileEntry, monitor: &Monitor) -> Result<bool, CheckError> {
-    let mut file = match File::open(path) {
-        Ok(file) => file,
-        Err(error) if error.kind() == ErrorKind::NotFound => return Ok(false),
-        Err(error) => return Err(io(path)(error)),
-    };
-    let (mut hash, mut bytes, mut lines) = (Sha256::new(), 0u64, 0u64);
-    let mut buffer = vec![0; BUFFER];
-    loop {
-        if monitor.cancel.load(Ordering::Relaxed) {
-            return Err(io(path)(std::io::Error::from(ErrorKind::Interrupted)));
-        }
-        let read = file.read(&mut buffer).map_err(io(path))?;
-        if read == 0 {
-            break;
-        }
-        let chunk = &buffer[..read];
-        hash.update(chunk);
-        bytes += read as u64;
-        lines += chunk.iter().map(|byte| u64::from(*byte == b'\n')).sum::<u64>();
-        monitor.bytes.fetch_add(read as u64, Ordering::Relaxed);
-    }
-    let plain = Path::new(&entry.name).extension().is_some_and(|extension| extension == "tv");
-    let rows_match = !plain || lines == entry.rows;
-    Ok(bytes == entry.bytes && rows_match && hex_digest(hash) == entry.sha256)
 }

@@ -1,10 +1,12 @@
 //! `manifest.json`: what a set is, written last. Spec clauses `N-8` to `N-10`.
 
 use super::bench::{Cell, Unreachable};
+use super::formal::FOLDER;
 use crate::format::Column;
-use crate::profile::Profile;
+use crate::profile::{Profile, read_at_most};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
+use std::path::Path;
 
 /// File name of the manifest.
 pub const NAME: &str = "manifest.json";
@@ -145,6 +147,25 @@ pub(super) fn pretty(value: &impl Serialize) -> String {
     let text = serde_json::to_string_pretty(value)
         .unwrap_or_else(|error| unreachable!("strings and integers have a JSON form: {error}"));
     text + "\n"
+}
+
+/// The most bytes of a manifest or an index that are read: those of the default sets have a hundredth.
+const LARGEST: u64 = 1 << 24;
+
+/// The bytes of a manifest or an index.
+pub(super) fn read(path: &Path) -> std::io::Result<Vec<u8>> {
+    read_at_most(path, LARGEST)
+}
+
+/// Whether a name that a file gives can only mean something in the file's own folder.
+pub(super) fn is_plain(name: &str) -> bool {
+    !name.contains(['/', '\\', ':', '\0']) && !["", ".", ".."].contains(&name)
+}
+
+/// Whether a manifest may list a file of this name.
+pub(super) fn is_file_name(name: &str) -> bool {
+    let inner = name.strip_prefix(FOLDER).and_then(|rest| rest.strip_prefix('/'));
+    is_plain(inner.unwrap_or(name))
 }
 
 /// SHA-256 in lower-case hexadecimal.

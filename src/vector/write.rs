@@ -6,6 +6,7 @@ mod place;
 
 pub use finish::{account, companions, scene_text, unchecked};
 pub(super) use interface::{Devices, devices};
+pub(super) use place::{OLD, PARTIAL};
 
 use super::bench::{Bench, Source};
 use super::emit::{Emitted, Output, emit, files};
@@ -71,6 +72,15 @@ pub struct Monitor {
     pub bytes: AtomicU64,
     /// Set to stop at the next buffer.
     pub cancel: AtomicBool,
+    /// What the work found that somebody should know, whether it succeeded or not.
+    pub notes: Mutex<Vec<String>>,
+}
+
+impl Monitor {
+    /// Keeps a line for whoever asked for the work.
+    fn note(&self, line: String) {
+        self.notes.lock().unwrap_or_else(PoisonError::into_inner).push(line);
+    }
 }
 
 /// The index of a folder of sets.
@@ -110,8 +120,9 @@ impl SetIndex {
 ///
 /// # Errors
 /// Whatever the file system answers; `AlreadyExists` when `out` is occupied and `force` is not
-/// given; `DirectoryNotEmpty` when it is, but something there is no part of a set;
+/// given; `DirectoryNotEmpty` when it is, but something there is no part of a set as it was written;
 /// `Interrupted` when the monitor cancelled. Nothing is left behind, and what was there before stays.
+/// The monitor's notes name what killed runs had left, and what came into the folder meanwhile.
 pub fn write(
     requests: &[SetRequest],
     out: &Path,
@@ -119,13 +130,18 @@ pub fn write(
     options: &Options,
     monitor: &Monitor,
 ) -> Result<Vec<Manifest>> {
-    let place = Place::new(out, options.force)?;
+    let place = Place::new(out, options.force, monitor)?;
     let result = build(requests, place.aside(), nested, options, monitor)
-        .and_then(|manifests| place.settle().map(|()| manifests));
+        .and_then(|manifests| place.settle(monitor).map(|()| manifests));
     if result.is_err() {
         place.clear();
     }
     result
+}
+
+/// Whether a killed run has left a folder between an old set and a new one.
+pub fn is_half_replaced(out: &Path) -> bool {
+    place::is_half_replaced(out)
 }
 
 /// Numbers of a set and of a bench in it.

@@ -79,6 +79,54 @@ fn rubbish_behind_the_last_line_is_no_loss() {
     }
 }
 
+/// A line with the check that it has to have: the first 16 digits of the SHA-256 of the request's digest, as the
+/// first line gives it, and of the line without its check.
+fn sealed(header: &str, line: &str) -> String {
+    let request = header.split_once("\"request\":\"").unwrap().1.split_once('"').unwrap().0;
+    let (before, _) = line.rsplit_once(",\"check\":\"").unwrap();
+    let digest = guardbit::vector::manifest::sha256(format!("{request}{before}}}").as_bytes());
+    format!("{before},\"check\":\"{}\"}}", &digest[..16])
+}
+
+/// One digit changed makes another answer, so it is no answer at all.
+#[test]
+fn an_edited_digit_is_refused() {
+    let (home, whole) = toy();
+    let home = home.path();
+    let full = String::from_utf8(save(home, TOY, "full")).unwrap();
+    let header = full.lines().next().unwrap();
+    for line in full.lines().skip(1) {
+        assert_eq!(sealed(header, line), line);
+    }
+    let digits: Vec<usize> = full
+        .bytes()
+        .enumerate()
+        .filter(|(_, byte)| byte.is_ascii_digit())
+        .map(|(at, _)| at)
+        .collect();
+    assert!(digits.len() > 300, "{full}");
+    for at in digits.into_iter().step_by(41) {
+        let mut edited = full.clone().into_bytes();
+        edited[at] = if edited[at] == b'9' { b'8' } else { edited[at] + 1 };
+        fs::write(home.join("edited"), &edited).unwrap();
+        run_in(home, &format!("{TOY} --merge edited")).complains(2, &["edited:"]);
+        if at % 3 == 0 {
+            run_in(home, &format!("{TOY} --save edited")).complains(2, &["edited:"]);
+            assert_eq!(fs::read(home.join("edited")).unwrap(), edited, "left as it is");
+        }
+    }
+    // Files of older versions have no check.
+    let old = |line: &str| match line.rsplit_once(",\"check\":\"") {
+        Some((before, _)) => format!("{before}}}\n"),
+        None => format!("{line}\n"),
+    };
+    fs::write(home.join("old"), full.lines().map(old).collect::<String>()).unwrap();
+    run_in(home, &format!("{TOY} --merge old"))
+        .complains(2, &["old:2: the line has no check", "measure again"]);
+    run_in(home, &format!("{TOY} --merge full")).ends(0);
+    assert_eq!(run_in(home, &format!("{TOY} --merge full")).ends(0).out, whole);
+}
+
 #[test]
 fn known_results_are_used_and_not_made_again() {
     let (home, whole) = toy();
@@ -86,7 +134,7 @@ fn known_results_are_used_and_not_made_again() {
     let full = String::from_utf8(save(home, TOY, "full")).unwrap();
     // A number that no measurement gives, to see where it comes from.
     let lines: Vec<&str> = full.lines().collect();
-    let marked = lines[1].replacen("\"operations\":", "\"operations\":777", 1);
+    let marked = sealed(lines[0], &lines[1].replacen("\"operations\":", "\"operations\":777", 1));
     fs::write(home.join("marked"), format!("{}\n{marked}\n", lines[0])).unwrap();
     let out = run_in(home, &format!("{TOY} --save marked")).ends(0).out;
     assert_ne!(out, whole);

@@ -74,7 +74,7 @@ fn sets_are_made_again_byte_for_byte() {
 #[test]
 fn sets_stand_up_to_recomputation_and_hold_every_directed_class() {
     for (_, name) in recipes() {
-        let options = CheckOptions { recompute: true, profile: None, threads: 2 };
+        let options = CheckOptions { recompute: true, threads: 2, ..CheckOptions::default() };
         let report = check::check(&root().join(&name), options, &Monitor::default()).unwrap();
         assert_eq!(report.findings, [], "{name}\n{POLICY}");
         let manifest = &report.sets[0].manifest;

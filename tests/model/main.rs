@@ -24,6 +24,7 @@ mod fuzz;
 mod golden;
 mod identify;
 mod interpolation;
+mod limits;
 mod lines;
 mod machine_vectors;
 mod machines;

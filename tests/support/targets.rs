@@ -10,13 +10,22 @@ use guardbit::format::{Column, Layout};
 use guardbit::model::{Drawing, Model, Records, View};
 use guardbit::profile;
 use guardbit::scene::{lines, mesh};
+use guardbit::setup::Triangle;
+use guardbit::vector::check::{self, CheckOptions};
 use guardbit::vector::dump::Dump;
+use guardbit::vector::manifest::Manifest;
+use guardbit::vector::plan::Shard;
+use guardbit::vector::table::RowFormat;
+use guardbit::vector::write::{self, Monitor, Options, SetIndex, SetRequest};
+use std::path::Path;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A target by name.
 pub type Target = fn(&[u8]);
 
 /// Every target, by the name of its binary.
-pub const TARGETS: [(&str, Target); 8] = [
+pub const TARGETS: [(&str, Target); 9] = [
     ("profile", profile),
     ("eval", eval),
     ("scene", scene),
@@ -25,6 +34,7 @@ pub const TARGETS: [(&str, Target); 8] = [
     ("words", words),
     ("axis", axis),
     ("dump", dump),
+    ("set", set),
 ];
 
 /// Profiles: TOML in, the same TOML out, and a model of every profile that is taken.
@@ -130,4 +140,66 @@ pub fn dump(data: &[u8]) {
     if let Ok(dump) = read {
         assert!(dump.rows() <= data.len());
     }
+}
+
+/// A small set in a folder below this one.
+pub fn write_set(folder: &Path) -> Manifest {
+    let profile = profile::load("tiny").unwrap();
+    let triangle = Triangle { xy: [[0, 0], [8, 0], [0, 8]], z: Some([1, 5, 7]) };
+    let request = SetRequest {
+        name: "tiny".to_owned(),
+        profile,
+        scene_name: "mine".to_owned(),
+        scene: Arc::new(vec![triangle]),
+        values: Arc::default(),
+        refused: 0,
+    };
+    let options = Options {
+        count: 12,
+        seed: 1,
+        shard: Shard::WHOLE,
+        format: RowFormat::Tv,
+        zstd: false,
+        threads: 1,
+        force: false,
+    };
+    write::write(&[request], folder, true, &options, &Monitor::default()).unwrap().remove(0)
+}
+
+/// Manifests and indexes: a check of the set, plain and with every file computed again, ends. What can be read as a
+/// manifest also comes with a digest that fits, so that the check goes on behind it.
+pub fn set(data: &[u8]) {
+    // Tests run side by side in one process.
+    static NUMBER: AtomicU64 = AtomicU64::new(0);
+    let name = format!(
+        "guardbit-fuzz-set-{}-{}",
+        std::process::id(),
+        NUMBER.fetch_add(1, Ordering::Relaxed)
+    );
+    let folder = std::env::temp_dir().join(name);
+    let manifest: Option<Manifest> = serde_json::from_slice(data).ok();
+    let index: Option<SetIndex> = serde_json::from_slice(data).ok();
+    let checked = |dir: &Path, text: &[u8], name: &str| {
+        std::fs::write(dir.join(name), text).unwrap();
+        for recompute in [false, true] {
+            let options = CheckOptions { recompute, threads: 1, ..CheckOptions::default() };
+            let _ = check::check(dir, options, &Monitor::default());
+        }
+    };
+    if manifest.is_none() && index.is_none() {
+        std::fs::create_dir_all(&folder).unwrap();
+        checked(&folder, data, "manifest.json");
+        checked(&folder, data, "sets.json");
+    } else {
+        write_set(&folder);
+    }
+    if let Some(manifest) = manifest {
+        checked(&folder.join("tiny"), data, "manifest.json");
+        checked(&folder.join("tiny"), manifest.to_text().as_bytes(), "manifest.json");
+    }
+    if let Some(index) = index {
+        checked(&folder, data, "sets.json");
+        checked(&folder, index.to_text().as_bytes(), "sets.json");
+    }
+    std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -1,8 +1,9 @@
 //! The file that results go to as they come, and that a later run goes on from.
 
+use super::session::LARGEST;
 use super::{Failure, Write};
 use guardbit::explore::store::{self, Header, Results};
-use guardbit::explore::sweep::Sweep;
+use guardbit::explore::sweep::{Found, Sweep};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -11,6 +12,7 @@ use std::path::{Path, PathBuf};
 pub(super) struct Keeper {
     file: File,
     path: PathBuf,
+    header: Header,
     /// Bytes that are whole lines.
     whole: u64,
 }
@@ -36,8 +38,12 @@ impl Keeper {
             return Err(unfit("another run is writing to it"));
         }
         let mut bytes = Vec::new();
-        file.read_to_end(&mut bytes).map_err(|error| failed(&error))?;
-        let header = Header::new(sweep).line();
+        let most = (&mut file).take(LARGEST + 1).read_to_end(&mut bytes);
+        if most.map_err(|error| failed(&error))? as u64 > LARGEST {
+            return Err(unfit("larger than any file of results"));
+        }
+        let header = Header::new(sweep);
+        let first = header.line();
         // Whatever is behind the last newline was cut short and is written again.
         let whole = bytes.iter().rposition(|byte| *byte == b'\n').map_or(0, |end| end + 1);
         if whole > 0 {
@@ -45,21 +51,27 @@ impl Keeper {
                 .map_err(|_| unfit("not a text file with results of `explore --save`"))?;
             store::read(sweep, &name, text, results)
                 .map_err(|error| Failure::input(error).hint("name another file with --save"))?;
-        } else if !header.as_bytes().starts_with(&bytes) {
+        } else if !first.as_bytes().starts_with(&bytes) {
             return Err(unfit("not a file with results of `explore --save`"));
         }
         let whole = whole as u64;
         file.set_len(whole).map_err(|error| failed(&error))?;
         file.seek(SeekFrom::Start(whole)).map_err(|error| failed(&error))?;
-        let mut keeper = Self { file, path: path.to_owned(), whole };
+        let mut keeper = Self { file, path: path.to_owned(), header, whole };
         if whole == 0 {
-            keeper.write(&header)?;
+            keeper.write(&first)?;
         }
         Ok(keeper)
     }
 
+    /// Adds a result.
+    pub(super) fn add(&mut self, found: &Found) -> Result<(), Failure> {
+        let line = store::line(&self.header, found);
+        self.write(&line)
+    }
+
     /// Adds a line. After a failure nothing of it is left, and nothing may be added.
-    pub(super) fn write(&mut self, line: &str) -> Result<(), Failure> {
+    fn write(&mut self, line: &str) -> Result<(), Failure> {
         self.file.write_all(line.as_bytes()).map_err(|error| {
             let _ = self.file.set_len(self.whole);
             Failure::io(&self.path.display().to_string(), &error)

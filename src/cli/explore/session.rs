@@ -5,6 +5,7 @@ use super::{Failure, Record, Shard, Sweep};
 use crate::cli::progress;
 use guardbit::explore::store::{self, Results};
 use guardbit::explore::sweep::Found;
+use guardbit::profile::read_text_at_most;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -12,6 +13,9 @@ use std::time::Duration;
 
 /// Sweeps that take longer than this say so before they start.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(30);
+
+/// The most bytes of a file of results that are read: those of a million budgets.
+pub(super) const LARGEST: u64 = 1 << 30;
 
 /// A sweep about to be run.
 pub(super) struct Session<'a> {
@@ -54,7 +58,7 @@ impl<'a> Session<'a> {
                     Found::Skipped(index) => *index,
                 };
                 if let Some(keeper) = keeper
-                    && let Err(error) = keeper.write(&store::line(&found))
+                    && let Err(error) = keeper.add(&found)
                 {
                     *failure = Some(error);
                     return false;
@@ -82,7 +86,7 @@ impl<'a> Session<'a> {
                     _ => true,
                 };
                 for record in records.iter().filter(before) {
-                    keeper.write(&store::line(&Found::Measured(Box::new(record.clone()))))?;
+                    keeper.add(&Found::Measured(Box::new(record.clone())))?;
                 }
             }
         }
@@ -140,7 +144,8 @@ impl<'a> Session<'a> {
         let mut results = Results::new();
         for path in files {
             let name = path.display().to_string();
-            let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
+            let text =
+                read_text_at_most(path, LARGEST).map_err(|error| Failure::io(&name, &error))?;
             store::read(self.sweep, &name, &text, &mut results).map_err(Failure::input)?;
         }
         let missing: Vec<u64> =

@@ -3,13 +3,17 @@
 use super::report::{Report, digest};
 use super::{Failure, PathBuf, Request};
 use guardbit::explore::fit::Effort;
+use guardbit::profile::read_text_at_most;
+
+/// The most bytes of an answer that are read.
+const LARGEST: u64 = 1 << 26;
 
 /// Joins the answers of all parts: the cheapest of them is the cheapest of the whole.
 pub(super) fn merge(request: &Request<'_>, files: &[PathBuf]) -> Result<Report, Failure> {
     let mut parts: Vec<Report> = Vec::new();
     for path in files {
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(path).map_err(|error| Failure::io(&name, &error))?;
+        let text = read_text_at_most(path, LARGEST).map_err(|error| Failure::io(&name, &error))?;
         let report: Report = serde_json::from_str(&text).map_err(|error| {
             Failure::input(format!("{name}:{}: {error}", error.line()))
                 .hint("--merge reads files that `fit --save` wrote")

@@ -1,54 +1,21 @@
 //! Deriving a set's files again, and naming the first difference of each.
 
+use super::file::open_regular;
 use super::open::{canonical, first_difference, shown};
+use super::scene::{check_builtin, lines_until_odd, read_scene};
 use super::{BUFFER, CheckError, Finding, OpenSet, io};
-use crate::model::Model;
-use crate::scene::{
-    self,
-    lines::{self, SceneLine},
-};
 use crate::setup::Triangle;
 use crate::value::VertexValues;
 use crate::vector::bench::Source;
 use crate::vector::emit::{Output, emit, files};
-use crate::vector::manifest::{self, FileEntry, Manifest};
+use crate::vector::manifest::{self, FileEntry, Manifest, sha256};
 use crate::vector::plan::Shard;
 use crate::vector::table::RowFormat;
-use crate::vector::write::{account, companions, compress, file_name, scene_text, unchecked};
+use crate::vector::write::{self, account, companions, compress, file_name, unchecked};
 use std::fs::File;
-use std::io::{BufReader, ErrorKind, Read};
-use std::path::{Path, PathBuf};
+use std::io::{BufReader, Read};
+use std::path::PathBuf;
 use std::sync::Arc;
-
-/// The triangles of a set's scene file, and what they bring for channels.
-///
-/// # Errors
-/// [`CheckError`] with file and line.
-pub fn read_scene(set: &OpenSet) -> Result<(Vec<Triangle>, Vec<VertexValues>), CheckError> {
-    let path = set.folder.join("scene.jsonl");
-    let text = std::fs::read_to_string(&path).map_err(io(&path))?;
-    let bad = |line: usize, message: String| CheckError::Malformed {
-        path: path.display().to_string(),
-        line,
-        message,
-    };
-    let read = lines::parse_scene(&text).map_err(|(line, error)| bad(line, error.to_string()))?;
-    let model = Model::new(&set.manifest.profile).map_err(|error| bad(1, error.to_string()))?;
-    let (mut triangles, mut values) = (Vec::new(), Vec::new());
-    for SceneLine { line, triangle, shading } in &read {
-        let triangle = model.snap(triangle).map_err(|error| bad(*line, error.to_string()))?;
-        triangles.push(*triangle);
-        if let Some(shading) = shading {
-            let found = model.shading(shading).map_err(|error| bad(*line, error.to_string()))?;
-            values.push(found);
-        }
-    }
-    if ![0, triangles.len()].contains(&values.len()) {
-        let without = read.iter().find(|line| line.shading.is_none()).map_or(1, |line| line.line);
-        return Err(bad(without, "the triangle has no `channels`, but others have".to_owned()));
-    }
-    Ok((triangles, values))
-}
 
 /// What the set's benches are made from, its scene as given.
 pub fn source(set: &OpenSet, (scene, values): (Vec<Triangle>, Vec<VertexValues>)) -> Source {
@@ -112,6 +79,8 @@ pub(super) fn recompute(
     let shard = Shard { index: set.manifest.shard.index, parts: set.manifest.shard.parts };
     let mut made = Manifest { files: Vec::new(), groups: Vec::new(), ..set.manifest.clone() };
     made.coverage.clear();
+    // The columns are those of the model, whatever the manifest says of them.
+    let mut vector_files: Vec<FileEntry> = Vec::new();
     for bench in source.benches() {
         let specs = files(&*bench, format);
         let names: Vec<String> =
@@ -120,21 +89,24 @@ pub(super) fn recompute(
         let concerned =
             if names.is_empty() { everything } else { names.iter().any(|name| wanted(name)) };
         if !concerned {
+            let listed = specs.into_iter().zip(names).map(|(spec, name)| {
+                let rows = listed_rows(set, &name);
+                FileEntry { columns: spec.columns, ..as_listed(set, name, rows) }
+            });
+            vector_files.extend(listed);
             continue;
         }
-        let mut output = CompareOutput { zstd, files: Vec::new() };
+        let mut output = CompareOutput { zstd, files: Vec::new(), stopped: false };
         for name in &names {
-            let compared = if wanted(name) {
-                Some(Compared::open(set.folder.join(name)).map_err(io(&set.folder.join(name)))?)
-            } else {
-                None
-            };
+            let compared =
+                if wanted(name) { Some(Compared::open(set.folder.join(name))?) } else { None };
             output.files.push(compared);
         }
         let emitted = emit(&*bench, shard, set.manifest.count, format, &mut output)
             .map_err(io(&set.folder))?;
         for ((spec, name), rows) in specs.into_iter().zip(names).zip(&emitted.rows) {
-            made.files.push(FileEntry { columns: spec.columns, ..as_listed(set, name, *rows) });
+            let rows = if output.stopped { listed_rows(set, &name) } else { *rows };
+            vector_files.push(FileEntry { columns: spec.columns, ..as_listed(set, name, rows) });
         }
         let (groups, coverage) = account(&*bench, &emitted);
         made.groups.extend(groups);
@@ -143,8 +115,7 @@ pub(super) fn recompute(
             findings.extend(compared.finish().map_err(io(&set.folder))?);
         }
     }
-    let vector_files: Vec<FileEntry> =
-        set.manifest.files.iter().filter(|file| !file.columns.is_empty()).cloned().collect();
+    made.files.clone_from(&vector_files);
     let (set_name, profile) = (&set.manifest.set, &set.manifest.profile);
     made.unchecked = unchecked(set_name, profile, &vector_files, format, zstd);
     let scene = (&source.scene[..], &source.values[..]);
@@ -152,11 +123,12 @@ pub(super) fn recompute(
         made.files.push(as_listed(set, name.clone(), text.lines().count() as u64));
         if wanted(&name) {
             let path = set.folder.join(&name);
-            let found = match std::fs::read(&path) {
-                Ok(found) => found,
-                Err(error) if error.kind() == ErrorKind::NotFound => Vec::new(),
-                Err(error) => return Err(io(&path)(error)),
-            };
+            let mut found = Vec::new();
+            if let Some(file) = open_regular(&path)? {
+                // A little more than expected shows that it differs.
+                let most = text.len() as u64 + 256;
+                file.take(most).read_to_end(&mut found).map_err(io(&path))?;
+            }
             if found != text.as_bytes() {
                 findings.push(first_difference(&path, &found, text.as_bytes()));
             }
@@ -164,6 +136,9 @@ pub(super) fn recompute(
     }
     if everything && findings.is_empty() {
         made.scene.triangles = source.scene.len() as u64;
+        made.scene.sha256 =
+            sha256(write::scene_text(&source.scene, &source.values, profile).as_bytes());
+        findings.extend(check_builtin(set, (&source.scene, &source.values)));
         let path = set.folder.join(manifest::NAME);
         canonical(&path, &set.manifest.to_text(), &made.to_text(), &mut findings);
     }
@@ -179,6 +154,11 @@ pub(super) fn recompute(
     Ok(findings)
 }
 
+/// The rows that the manifest says a file has.
+fn listed_rows(set: &OpenSet, name: &str) -> u64 {
+    set.manifest.files.iter().find(|file| file.name == name).map_or(0, |file| file.rows)
+}
+
 /// A file as the manifest must list it, its length and digest as it does list them.
 fn as_listed(set: &OpenSet, name: String, rows: u64) -> FileEntry {
     let listed = set.manifest.files.iter().find(|file| file.name == name);
@@ -186,33 +166,13 @@ fn as_listed(set: &OpenSet, name: String, rows: u64) -> FileEntry {
     FileEntry { name, rows, bytes, sha256: sha256.to_owned(), columns: Vec::new() }
 }
 
-/// The first line of a damaged scene that is not as made, where that can be told: from the
-/// built-in scene of that name, or because the line is no triangle.
-fn lines_until_odd(path: &Path, manifest: &Manifest) -> Option<u64> {
-    let bytes = std::fs::read(path).ok()?;
-    let name = manifest.scene.name.as_str();
-    if scene::builtin_names().iter().any(|(known, _)| *known == name) {
-        let model = Model::new(&manifest.profile).ok()?;
-        let made = scene::load(name, &model.viewport()).ok()?;
-        let snapped: Vec<Triangle> =
-            made.triangles.iter().filter_map(|given| model.snap(given).ok().map(|t| *t)).collect();
-        let expected = scene_text(&snapped, &[], &manifest.profile);
-        if manifest::sha256(expected.as_bytes()) == manifest.scene.sha256 {
-            return first_difference(path, &bytes, expected.as_bytes()).line;
-        }
-    }
-    match lines::parse_scene(&String::from_utf8_lossy(&bytes)) {
-        Err((line, _)) => Some(line as u64),
-        Ok(triangles) => {
-            ((triangles.len() as u64) != manifest.scene.triangles).then_some(triangles.len() as u64)
-        }
-    }
-}
-
 /// Compares what is emitted with files on disk.
 struct CompareOutput {
     zstd: bool,
     files: Vec<Option<Compared>>,
+    /// Whether the rest was left out, because every file differs already: a count that nobody's rows come up to
+    /// has no end.
+    stopped: bool,
 }
 
 struct Compared {
@@ -223,12 +183,8 @@ struct Compared {
 }
 
 impl Compared {
-    fn open(path: PathBuf) -> std::io::Result<Self> {
-        let file = match File::open(&path) {
-            Ok(file) => Some(BufReader::with_capacity(BUFFER, file)),
-            Err(error) if error.kind() == ErrorKind::NotFound => None,
-            Err(error) => return Err(error),
-        };
+    fn open(path: PathBuf) -> Result<Self, CheckError> {
+        let file = open_regular(&path)?.map(|file| BufReader::with_capacity(BUFFER, file));
         Ok(Self { path, file, line: 1, finding: None })
     }
 
@@ -278,6 +234,8 @@ impl Output for CompareOutput {
                 compared.bytes(bytes)?;
             }
         }
-        Ok(true)
+        let mut compared = self.files.iter().flatten();
+        self.stopped = compared.all(|compared| compared.finding.is_some());
+        Ok(!self.stopped)
     }
 }

@@ -66,8 +66,8 @@ pub(super) fn of_rows(set: &OpenSet, dump: &Path, subject: &Subject) -> Option<S
         .collect();
     folders.sort();
     for folder in folders {
-        let text = std::fs::read_to_string(folder.join(manifest::NAME)).ok();
-        let other: Option<Manifest> = text.and_then(|text| serde_json::from_str(&text).ok());
+        let text = manifest::read(&folder.join(manifest::NAME)).ok();
+        let other: Option<Manifest> = text.and_then(|text| serde_json::from_slice(&text).ok());
         let Some(other) = other.filter(|other| other.digest != set.manifest.digest) else {
             continue;
         };

@@ -1,55 +1,80 @@
-//! Putting a finished set where it belongs: aside, then in place, old sets kept until it is.
+//! Putting a finished set where it belongs: built aside, then moved in file by file. Only files that a
+//! manifest lists, with the digests that it lists, make room. Spec clauses `N-11` and `N-17`.
 
-use super::INDEX;
+mod inventory;
+mod leftover;
+mod swap;
+
+use super::{INDEX, Monitor};
 use crate::vector::manifest;
-use serde::Deserialize;
-use serde::de::DeserializeOwned;
-use std::collections::BTreeSet;
+use inventory::Inventory;
 use std::ffi::OsString;
-use std::fs;
+use std::fs::{self, File};
 use std::io::{Error, ErrorKind, Result};
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+/// How a folder begins in which a set is built.
+pub(in crate::vector) const PARTIAL: &str = ".partial-";
+
+/// How a folder begins that keeps the old set until the new one is in place.
+pub(in crate::vector) const OLD: &str = ".old-";
+
+/// The longest wait for another run that moves its set in. A lock on the folder that somebody else holds
+/// for another reason must not stop the work.
+const PATIENCE: Duration = Duration::from_secs(10);
 
 /// Where a set is built, and what it will replace.
 pub(super) struct Place {
     out: PathBuf,
+    force: bool,
     /// Whether `out` is there: then the set is moved in, and the folder itself stays what it was
     /// (a mount point, the target of a link, somebody's working directory).
-    exists: bool,
+    inside: bool,
     aside: PathBuf,
+    /// What makes the names of this run's folders its own.
+    tag: String,
+    /// Locked while this run lives, so that a later run can tell that this one was killed.
+    _alive: Option<File>,
 }
 
 impl Place {
-    /// Checks the destination before any work is done.
+    /// Checks the destination before any work is done, and puts a set back that a killed run has moved.
     ///
     /// # Errors
     /// `AlreadyExists` for an occupied folder without `force`, `DirectoryNotEmpty` with it when
-    /// anything in the folder is not part of a set, `NotADirectory` for a file in the way.
-    pub(super) fn new(out: &Path, force: bool) -> Result<Self> {
-        let tag = std::process::id();
-        let entries = match fs::read_dir(out) {
-            Ok(entries) => entries.collect::<Result<Vec<_>>>()?,
+    /// anything in the folder is not part of a set as it was written, `NotADirectory` for a file in the way.
+    pub(super) fn new(out: &Path, force: bool, monitor: &Monitor) -> Result<Self> {
+        let inside = match fs::read_dir(out) {
+            Ok(_) => true,
+            // A link to nowhere is there, but no folder can take its place.
+            Err(error) if error.kind() == ErrorKind::NotFound && !is_there(out) => false,
             Err(error) if error.kind() == ErrorKind::NotFound => {
-                let name = out.file_name().unwrap_or_default().to_string_lossy();
-                let aside = out.with_file_name(format!(".{name}.partial-{tag}"));
-                return Ok(Self { out: out.to_owned(), exists: false, aside });
+                return Err(Error::from(ErrorKind::NotADirectory));
             }
             Err(error) => return Err(error),
         };
-        if !entries.is_empty() {
-            if !force {
+        if inside {
+            let _turn = turn(out);
+            if force {
+                leftover::recover(out, monitor)?;
+                Inventory::of(out, monitor)?.refuse_strangers(out)?;
+            } else if let Some(old) = leftover::occupied(out)? {
+                if let Some(old) = old {
+                    monitor.note(format!(
+                        "{} holds the set that a killed run was replacing; --force puts it back before it \
+                         writes the new set",
+                        old.display()
+                    ));
+                }
                 return Err(Error::from(ErrorKind::AlreadyExists));
             }
-            let (ours, inner) = made_by_us(out);
-            if let Some(entry) = entries.iter().find(|entry| !ours.contains(&entry.file_name())) {
-                // In the folder of a set, what stands between its files is meant, not the set.
-                let strange = inner.unwrap_or_else(|| entry.path());
-                let message = format!("{} does not belong to a vector set", strange.display());
-                return Err(Error::new(ErrorKind::DirectoryNotEmpty, message));
-            }
+        } else if let Some(parent) = out.parent() {
+            fs::create_dir_all(parent)?;
         }
-        let aside = out.join(format!(".partial-{tag}"));
-        Ok(Self { out: out.to_owned(), exists: true, aside })
+        let (aside, tag) = claim(&stem(out, inside))?;
+        let alive = File::open(&aside).ok().filter(|folder| folder.try_lock().is_ok());
+        Ok(Self { out: out.to_owned(), force, inside, aside, tag, _alive: alive })
     }
 
     /// The folder to build in.
@@ -57,43 +82,33 @@ impl Place {
         &self.aside
     }
 
-    /// Moves the finished set in; whatever was there stays until it is.
-    pub(super) fn settle(&self) -> Result<()> {
-        if !self.exists {
-            return fs::rename(&self.aside, &self.out);
-        }
-        let old = self.out.join(format!(".old-{}", std::process::id()));
-        fs::create_dir(&old)?;
-        let mut moved = Vec::new();
-        let result = self.exchange(&old, &mut moved);
-        if result.is_err() {
-            // Back to where it was, last move first.
-            for (from, to) in moved.iter().rev() {
-                let _ = fs::rename(to, from);
-            }
-            let _ = fs::remove_dir(&old);
-            return result;
-        }
-        let _ = fs::remove_dir(&self.aside);
-        fs::remove_dir_all(&old)
-    }
-
-    /// The manifest leaves first and arrives last: in between the folder is an unfinished set.
-    fn exchange(&self, old: &Path, moved: &mut Vec<(PathBuf, PathBuf)>) -> Result<()> {
-        let mut shift = |from: PathBuf, to: PathBuf| {
-            fs::rename(&from, &to)?;
-            moved.push((from, to));
-            Ok::<(), Error>(())
-        };
-        let skipped = [self.aside.clone(), old.to_owned()];
-        for name in names(&self.out)? {
-            let from = self.out.join(&name);
-            if !skipped.contains(&from) {
-                shift(from, old.join(&name))?;
+    /// Moves the finished set in; whatever was there stays until it is. Looks again first: what has come
+    /// since the first look is nobody's to remove.
+    ///
+    /// # Errors
+    /// Whatever the file system answers; `AlreadyExists` if a set has come and `force` is not given.
+    pub(super) fn settle(&self, monitor: &Monitor) -> Result<()> {
+        let built = inventory::files(&self.aside)?;
+        if !self.inside {
+            match fs::rename(&self.aside, &self.out) {
+                Ok(()) => {
+                    leftover::sweep(&self.out, false, &built, monitor)?;
+                    return Ok(());
+                }
+                // Another run was quicker: its set is a set like any other.
+                Err(error) if !self.out.is_dir() => return Err(error),
+                Err(_) => {}
             }
         }
-        for name in names(&self.aside)?.into_iter().rev() {
-            shift(self.aside.join(&name), self.out.join(&name))?;
+        let _turn = turn(&self.out);
+        let there = Inventory::of(&self.out, monitor)?;
+        if !self.force && there.has_set() {
+            return Err(Error::from(ErrorKind::AlreadyExists));
+        }
+        swap::exchange(&self.out, &self.aside, &self.tag, &there, &built, monitor)?;
+        leftover::sweep(&self.out, true, &built, monitor)?;
+        if !self.inside {
+            leftover::sweep(&self.out, false, &built, monitor)?;
         }
         Ok(())
     }
@@ -104,96 +119,68 @@ impl Place {
     }
 }
 
-/// Entries of a folder, what makes it a set before the rest.
-fn names(folder: &Path) -> Result<Vec<OsString>> {
-    let mut names = fs::read_dir(folder)?
-        .map(|entry| Ok(entry?.file_name()))
-        .collect::<Result<Vec<OsString>>>()?;
-    let rest = |name: &OsString| name != INDEX && name != manifest::NAME;
-    names.sort_by_key(|name| (rest(name), name.clone()));
-    Ok(names)
+/// Whether a folder keeps an old set for which no new one has arrived.
+pub(super) fn is_half_replaced(out: &Path) -> bool {
+    leftover::occupied(out).is_ok_and(|old| old.flatten().is_some())
 }
 
-/// What a manifest of any version lists.
-#[derive(Deserialize)]
-struct Listed {
-    files: Vec<ListedFile>,
+/// Whether there is anything of this name, links to nowhere included.
+fn is_there(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok()
 }
 
-#[derive(Deserialize)]
-struct ListedFile {
-    name: String,
+/// Whether this is a folder itself, and no link to one.
+fn is_folder(path: &Path) -> bool {
+    fs::symlink_metadata(path).is_ok_and(|there| there.is_dir())
 }
 
-/// What an index of any version lists.
-#[derive(Deserialize)]
-struct ListedSets {
-    sets: Vec<ListedSet>,
-}
-
-#[derive(Deserialize)]
-struct ListedSet {
-    folder: String,
-}
-
-/// What a file says, if it is there and says it.
-fn listed<T: DeserializeOwned>(path: &Path) -> Option<T> {
-    serde_json::from_slice(&fs::read(path).ok()?).ok()
-}
-
-/// What a run of this program, of any version, left in a folder, which is nothing if there is no set to
-/// be read; and what it did not leave in a folder of its own inside.
-fn made_by_us(out: &Path) -> (BTreeSet<OsString>, Option<PathBuf>) {
-    let (mut ours, mut inner) = (BTreeSet::new(), None);
-    let mut take = |name: OsString, strange: Option<PathBuf>| match strange {
-        None => _ = ours.insert(name),
-        Some(path) => inner = inner.take().or(Some(path)),
-    };
-    if let Some(index) = listed::<ListedSets>(&out.join(INDEX)) {
-        take(OsString::from(INDEX), None);
-        for set in index.sets {
-            let folder = out.join(&set.folder);
-            let strange = match left(&folder) {
-                Some(files) => stranger(&folder, &folder, &files),
-                // Nobody knows what is in a folder without a manifest.
-                None => Some(folder),
-            };
-            take(OsString::from(set.folder), strange);
-        }
+/// How the folders begin in which sets for `out` are built: in it, or beside it as long as it is not there.
+fn stem(out: &Path, inside: bool) -> PathBuf {
+    if inside {
+        out.join(PARTIAL)
     } else {
-        let files = left(out).unwrap_or_default();
-        for file in &files {
-            let Some(Component::Normal(name)) = file.components().next() else { continue };
-            let path = out.join(name);
-            let strange = if path.is_dir() { stranger(out, &path, &files) } else { None };
-            take(name.to_owned(), strange);
+        let name = out.file_name().unwrap_or_default().to_string_lossy();
+        out.with_file_name(format!(".{name}{PARTIAL}"))
+    }
+}
+
+/// Makes a folder that nobody else has: two runs can have one process id, each in its container.
+fn claim(stem: &Path) -> Result<(PathBuf, String)> {
+    let id = std::process::id();
+    let mut tag = id.to_string();
+    for n in 2.. {
+        let mut path = OsString::from(stem);
+        path.push(&tag);
+        match fs::create_dir(&path) {
+            Ok(()) => return Ok((path.into(), tag)),
+            Err(error) if error.kind() == ErrorKind::AlreadyExists && n < 10_000 => {
+                tag = format!("{id}-{n}");
+            }
+            Err(error) => return Err(error),
         }
     }
-    (ours, inner)
+    unreachable!("the loop ends only by returning")
 }
 
-/// The files of the set in a folder, and what a bench of it dumps beside the files that it compares.
-fn left(folder: &Path) -> Option<BTreeSet<PathBuf>> {
-    let listed: Listed = listed(&folder.join(manifest::NAME))?;
-    let names = listed.files.into_iter().flat_map(|file| {
-        let dump = file.name.strip_suffix(".exp.tv").map(|stem| format!("{stem}.exp.dut.tv"));
-        dump.into_iter().chain([file.name])
-    });
-    Some(names.chain([manifest::NAME.to_owned()]).map(PathBuf::from).collect())
-}
-
-/// What stands in a folder of a set, and in the folders there, and is none of the set's files.
-fn stranger(set: &Path, folder: &Path, files: &BTreeSet<PathBuf>) -> Option<PathBuf> {
-    // What cannot be listed may hold anything.
-    let Ok(names) = names(folder) else { return Some(folder.to_owned()) };
-    names.into_iter().map(|name| folder.join(name)).find_map(|path| {
-        let own = path.strip_prefix(set).unwrap_or(&path);
-        if files.contains(own) && !path.is_dir() {
-            None
-        } else if files.iter().any(|file| file.parent() == Some(own)) && path.is_dir() {
-            stranger(set, &path, files)
-        } else {
-            Some(path)
+/// Waits until no other run moves files in a folder. `None` where there are no such locks, or somebody
+/// else holds this one for long.
+fn turn(out: &Path) -> Option<File> {
+    let folder = File::open(out).ok()?;
+    let begun = Instant::now();
+    loop {
+        match folder.try_lock() {
+            Ok(()) => return Some(folder),
+            Err(fs::TryLockError::WouldBlock) if begun.elapsed() < PATIENCE => {
+                std::thread::sleep(Duration::from_millis(20));
+            }
+            Err(_) => return None,
         }
-    })
+    }
+}
+
+/// What makes a folder a set comes last when a set is moved in, and leaves first: in between, the
+/// folder is an unfinished set.
+fn rank(path: &Path) -> u8 {
+    let seal = path.file_name().is_some_and(|name| name == INDEX || name == manifest::NAME);
+    u8::from(seal) + u8::from(seal && path.components().count() == 1)
 }
