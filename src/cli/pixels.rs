@@ -43,10 +43,17 @@ pub(crate) fn write(
     let (times, wide) = (zoom as usize, (width * zoom) as usize);
     let mut data = Vec::with_capacity(3 * (pixels.len() * times * times + below.len()));
     for row in pixels.chunks_exact(width as usize) {
-        let row: Vec<u8> = row.iter().flat_map(|colour| colour.repeat(times)).collect();
-        data.extend(row.repeat(times));
+        let first = data.len();
+        for colour in row {
+            for _ in 0..times {
+                data.extend_from_slice(colour);
+            }
+        }
+        for _ in 1..times {
+            data.extend_from_within(first..first + 3 * wide);
+        }
     }
-    data.extend(below.iter().flatten());
+    data.extend_from_slice(below.as_flattened());
     let high = u32::try_from(data.len() / 3 / wide.max(1)).unwrap_or(u32::MAX);
     write_whole(path, |file| {
         let mut encoder = png::Encoder::new(file, width * zoom, high);
