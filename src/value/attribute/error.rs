@@ -44,7 +44,7 @@ pub enum AttributeError {
     },
     /// A level of detail of other than two coordinates.
     #[error(
-        "channel {name:?}: detail: a texture has 2 coordinates, the channel has {got} components"
+        "channel {name:?}: detail: components = {got}, but a texture has 2 coordinates; give 2 components, or leave detail out"
     )]
     DetailComponents {
         /// The channel.

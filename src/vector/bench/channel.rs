@@ -303,8 +303,11 @@ fn behind_component(corrector: &Corrector, component: &str, words: ComponentWord
             let unit = reciprocal.map_or_else(String::new, |unit| {
                 format!(", reciprocal {} by 2^-{}", unit.mantissa, unit.exponent)
             });
+            // Bits below the binary points of P, and of Q as a part of the largest 1/w.
+            let below = corrector.read_out().fraction();
+            let below_w = corrector.w_read_out().map_or(0, |read| read.integer() + read.fraction());
             format!(
-                "{component}/w accumulator {}, 1/w accumulator {w}, {p} over {q}{unit}: {value}",
+                "{component}/w accumulator {}, 1/w accumulator {w}, {p} 2^-{below} over {q} 2^-{below_w}{unit}: {value}",
                 fields(corrector.read_out(), over)
             )
         }

@@ -235,7 +235,7 @@ fn details_that_cannot_be_are_refused() {
     let four =
         guardbit::cover::MultisampleConfig { samples: 4, depth: guardbit::cover::DepthAt::Centre };
     let cases: [(Change<'_>, &str); 6] = [
-        (&|p| p.channel[0].components.truncate(1), "the channel has 1 components"),
+        (&|p| p.channel[0].components.truncate(1), "components = 1, but a texture has 2"),
         (&|p| (p.w, p.channel[0].correction) = (None, flat.clone()), places),
         (&|p| p.channel[0].correction = constant.clone(), places),
         (&|p| p.multisample = Some(four), places),
