@@ -43,6 +43,7 @@ fn main() {
         CHROMIUM.trial("a_browser_draws_the_page_and_clicks_through_it", page_of_two_fields),
         CHROMIUM.trial("a_page_of_one_budget_is_no_special_case", page_of_one_budget),
         CHROMIUM.trial("a_page_without_depth_is_no_special_case", page_without_depth),
+        CHROMIUM.trial("the_rasterizer_of_a_browser_is_named", browser_is_named),
         tool::YOSYS.trial("every_built_in_profile_is_synthesised", profiles_are_synthesised),
         tool::YOSYS.trial("a_sweep_counts_the_cells_of_its_front", sweep_is_synthesised),
         Z3.trial("z3_agrees_with_every_claim", prover::z3_agrees_with_every_claim),
@@ -93,6 +94,32 @@ fn page_without_depth(chromium: &str) {
     click_through(chromium, "flat.toml", space, 3);
 }
 
+/// Clause ID-1: the recipe's page draws on whatever the browser has, here its software rasterizer, and `identify`
+/// names what drew. Its sub-pixel bits are those that the device itself states.
+fn browser_is_named(chromium: &str) {
+    let home = tempfile::tempdir().unwrap();
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("recipes/identify/webgl.html");
+    let address = format!("file://{}?seed=7&count=40", page.display());
+    let software = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+    let output = browse(chromium, home.path(), &address, &software);
+    let dom = String::from_utf8_lossy(&output.stdout);
+    let (before, after) = dom.split_once("it says it has ").unwrap_or_else(|| panic!("{dom}"));
+    assert!(before.contains("SwiftShader"), "{before}");
+    let bits = after.split_whitespace().next().unwrap();
+    let (_, cases) = dom.split_once("<pre id=\"cases\">").unwrap();
+    let (cases, _) = cases.split_once("</pre>").unwrap();
+    assert_eq!(cases.lines().count(), 40);
+    std::fs::write(home.path().join("cases.jsonl"), cases).unwrap();
+    let line = "identify --base vulkan-4bit --no-depth --cases cases.jsonl";
+    let found = run::run_in(home.path(), line).ends(0).out;
+    let row = |name: &str| {
+        let line = found.lines().find(|line| line.starts_with(name)).unwrap();
+        line[name.len()..].trim().to_owned()
+    };
+    assert_eq!(row("sub-pixel"), bits);
+    assert_eq!([row("snap"), row("rule")], ["nearest-even", "top-left"]);
+}
+
 /// Makes a page, lets a browser click through it, and gives the document that came of it.
 fn click_through(chromium: &str, profile: &str, space: &str, budgets: usize) -> String {
     let home = tempfile::tempdir().unwrap();
@@ -103,7 +130,8 @@ fn click_through(chromium: &str, profile: &str, space: &str, budgets: usize) -> 
         .ends(0);
     let page = home.path().join("page.html");
     assert!(page.metadata().unwrap().len() < 2_000_000, "a page stays small");
-    let output = browse(chromium, home.path(), &format!("file://{}#selftest", page.display()));
+    let address = format!("file://{}#selftest", page.display());
+    let output = browse(chromium, home.path(), &address, &["--disable-gpu"]);
     let dom = String::from_utf8_lossy(&output.stdout).into_owned();
     let log = String::from_utf8_lossy(&output.stderr);
     let console: Vec<&str> = log.lines().filter(|line| line.contains("CONSOLE")).collect();
@@ -122,12 +150,11 @@ fn click_through(chromium: &str, profile: &str, space: &str, budgets: usize) -> 
     dom
 }
 
-fn browse(chromium: &str, home: &Path, address: &str) -> std::process::Output {
+fn browse(chromium: &str, home: &Path, address: &str, graphics: &[&str]) -> std::process::Output {
     let mut command = Command::new(chromium);
-    command.args([
+    command.args(graphics).args([
         "--headless",
         "--no-sandbox",
-        "--disable-gpu",
         "--disable-quic",
         "--no-first-run",
         "--disable-background-networking",
