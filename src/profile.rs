@@ -132,7 +132,7 @@ pub enum InvalidProfile {
     /// Squares where samples are asked about.
     #[error(
         "coverage is conservative, and this command holds coverage against the samples of clause C-2; leave the \
-         table `conservative` out, or use render, vectors, verify or prove"
+         table `conservative` out, or use render --show image, vectors, verify or prove"
     )]
     Squares,
     /// An order of visits for a machine that has its own.

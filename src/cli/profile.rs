@@ -4,7 +4,8 @@ use super::Outcome;
 use super::failure::Failure;
 use super::output::Output;
 use clap::Subcommand;
-use guardbit::profile::{self, BUILTIN};
+use guardbit::model::Model;
+use guardbit::profile::{self, BUILTIN, Profile};
 
 /// List the built-in profiles, print a profile as TOML, or print the JSON schema of profile files.
 #[derive(Debug, clap::Args)]
@@ -33,6 +34,22 @@ fn machines() -> String {
     format!("Print the profile with another machine: {}", names.join(", "))
 }
 
+/// Why a profile cannot be another machine.
+fn kept(profile: &Profile, machine: &str) -> Failure {
+    let (name, own) = (&profile.name, profile.form.name());
+    if profile.conservative().is_some() {
+        let message = format!(
+            "--machine {machine}: {name} covers squares (the table `conservative`), and this machine covers samples"
+        );
+        return Failure::input(message)
+            .hint("leave the table out, or choose edge-function or tiles: clause CR-7");
+    }
+    Failure::input(format!(
+        "--machine {machine}: no parts of {name}, a machine {own}, can be taken over"
+    ))
+    .hint("begin with a profile of a machine that draws triangles, such as sgi-4k")
+}
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let mut output = Output::new();
     match &arguments.action {
@@ -45,9 +62,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         Action::Show { profile, machine } => {
             let loaded = profile::load(profile)?;
             if let Some(machine) = machine {
-                let mut changed = loaded.with_machine(machine).unwrap_or_else(|| loaded.clone());
+                let mut changed =
+                    loaded.with_machine(machine).ok_or_else(|| kept(&loaded, machine))?;
                 changed.name = format!("{}-{machine}", loaded.name);
-                changed.validate().map_err(Failure::input)?;
+                // What a machine cannot carry shows when it is built.
+                Model::new(&changed).map_err(Failure::input)?;
                 output.text(changed.to_toml())?;
                 output.flush()?;
                 return Ok(Outcome::Good);

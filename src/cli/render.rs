@@ -151,6 +151,10 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         multisample.depth = guardbit::cover::DepthAt::Centre;
     }
     profile.validate().map_err(Failure::input)?;
+    if arguments.show == Show::Error && profile.conservative().is_some() {
+        // The error is that against samples.
+        return Err(Failure::input(profile::InvalidProfile::Squares));
+    }
     let (width, height) = (profile.window.width, profile.window.height);
     let zoom = arguments.zoom.unwrap_or_else(|| (256 / width.max(height)).max(1));
     if u64::from(width) * u64::from(height) * u64::from(zoom).pow(2) > 1 << 26 {

@@ -50,8 +50,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let found =
         benches.iter().find_map(|bench| Some((bench, find_test(&**bench, &arguments.test)?)));
     let Some((bench, at)) = found else {
-        let hint = "the id of a test is BENCH/CLASS/INDEX; `guardbit vectors --only none` lists the classes";
-        return Err(Failure::input(format!("no test {:?}", arguments.test)).hint(hint));
+        let hint = format!(
+            "the id of a test is BENCH/CLASS/INDEX; `guardbit vectors {} --only none` lists the classes",
+            arguments.profile
+        );
+        return Err(Failure::input(format!("no test {:?}", arguments.test)).hint(&hint));
     };
     let files = emit::test_rows(&**bench, at);
     let mut output = Output::new();

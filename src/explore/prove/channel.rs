@@ -8,6 +8,7 @@ use super::formal::Formal;
 use super::plane::{self, Goal, Subject};
 use super::text::{bits as count, decimal_up};
 use super::{Proof, guard};
+use crate::cover::ConservativeMode;
 use crate::exact::{Rational, dyadic, integer};
 use crate::profile::Profile;
 use crate::value::{
@@ -48,8 +49,12 @@ fn of_channel(
 }
 
 /// Whether the channel is evaluated inside its triangle wherever a sample is covered. The standard positions of
-/// several samples lie around the centre, so a pixel with all of them covered has its centre inside.
+/// several samples lie around the centre, so a pixel with all of them covered has its centre inside. A pixel that a
+/// triangle only touches has not: clause `CR-8`.
 pub(super) fn is_inside(question: &Question, channel: &AttributeConfig) -> bool {
+    if touches(question) {
+        return false;
+    }
     let half = (1 << question.sub_pixel()) / 2;
     let (at, several) = (question.sample([0, 0]), question.profile.multisample.is_some());
     match channel.at {
@@ -57,6 +62,21 @@ pub(super) fn is_inside(question: &Question, channel: &AttributeConfig) -> bool 
         EvaluatedAt::Centroid => several || at == [half; 2],
         EvaluatedAt::Centre => !several && at == [half; 2],
         EvaluatedAt::Corner => !several && at == [0; 2],
+    }
+}
+
+/// Whether pixels are drawn that the triangle only touches.
+fn touches(question: &Question) -> bool {
+    question.profile.conservative().is_some_and(|config| config.mode == ConservativeMode::Outer)
+}
+
+/// Why a channel is not always inside its triangle, and what would help.
+pub(super) fn outside(question: &Question) -> &'static str {
+    if touches(question) {
+        "pixels that the triangle only touches are drawn, too, and there the channel is evaluated outside its \
+         triangle, without a limit; mode = \"inner\" is inside"
+    } else {
+        "the channel is evaluated outside its triangle, without a limit; at = \"sample\" is not"
     }
 }
 
@@ -179,9 +199,9 @@ fn of_codes(mut proof: Proof) -> Proof {
 
 /// Of a machine with an error of its own, or at a place outside the triangle.
 fn carried_affine(question: &Question, channel: &AttributeConfig, value: &CarriedValue) -> Proof {
-    let outside = "The channel is evaluated outside its triangle: at = \"sample\" is not.";
-    let refusal = (!is_inside(question, channel)).then_some(outside);
-    value.interpolation_proof(&codes(channel), Goal::Half, refusal)
+    let refusal = (!is_inside(question, channel))
+        .then(|| format!("Nothing is proved: {}.", outside(question)));
+    value.interpolation_proof(&codes(channel), Goal::Half, refusal.as_deref())
 }
 
 fn coordinates(question: &Question, channel: &AttributeConfig, given: u32) -> Proof {
@@ -203,9 +223,9 @@ fn coordinates(question: &Question, channel: &AttributeConfig, given: u32) -> Pr
             codes(channel)
         ),
         None => format!(
-            "No number of bits of a coordinate is enough for {}: the channel is evaluated outside its triangle; at = \
-             \"sample\" is not.",
-            codes(channel)
+            "No number of bits of a coordinate is enough for {}: {}.",
+            codes(channel),
+            outside(question)
         ),
     };
     if let Some(own) = &own {

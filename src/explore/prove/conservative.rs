@@ -176,7 +176,7 @@ fn snap(question: &Question, config: ConservativeConfig) -> Proof {
         ConservativeMode::Inner => "every covered pixel lies in the triangle before the snap",
     };
     let mut statement = format!(
-        "The snap {rounding} moves a coordinate by {most} sub-pixel{}, so with grow = {needed} {promise}.",
+        "The snap {rounding} moves a coordinate of the profile's source by {most} sub-pixel{}, so with grow = {needed} {promise}.",
         if needed == 1 { " at most" } else { "" }
     );
     if loses_flat {

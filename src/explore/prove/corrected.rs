@@ -2,7 +2,7 @@
 
 use super::Proof;
 use super::carried::CarriedValue;
-use super::channel::{MOST, about, codes, granted, is_inside, with_own_bits};
+use super::channel::{MOST, about, codes, granted, is_inside, outside, with_own_bits};
 use super::channel_formal::{Division, obligation, script};
 use super::correction::{Incoming, Stages, TRIED, UnitError, last_rounding};
 use super::domain::Question;
@@ -54,10 +54,7 @@ impl<'a> Corrected<'a> {
                     .to_owned(),
             )
         } else if !inside {
-            Some(
-                "the channel is evaluated outside its triangle, where 1/w can be 0; at = \"sample\" is not"
-                    .to_owned(),
-            )
+            Some(outside(question).to_owned())
         } else if let Some(unit) = unit.filter(|_| stages.unit.is_none()) {
             Some(format!(
                 "the error of a reciprocal unit is found by trying every operand, and operand = {} > {TRIED} \

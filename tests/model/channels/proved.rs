@@ -2,6 +2,7 @@
 
 use super::{NEAREST, case, corrections, draw, normalised, toy, unit, with};
 use guardbit::bits::Rounding;
+use guardbit::cover::{ConservativeConfig, ConservativeDepth, ConservativeMode, Degenerate};
 use guardbit::exact::{Rational, ratio};
 use guardbit::explore::prove::{Overrides, Proof, Question, prove};
 use guardbit::format::Clamp;
@@ -333,4 +334,32 @@ fn an_affine_channel_is_bounded_as_depth() {
         }),
         None
     );
+}
+
+/// Clauses CR-8 and CH-22: pixels that a triangle only touches have channels outside of it, so nothing is claimed; a
+/// square that lies in the triangle is inside.
+#[test]
+fn nothing_is_claimed_of_channels_outside_their_triangle() {
+    let asked = |mode: ConservativeMode, correction: &Correction| {
+        let mut profile = with(correction.clone(), false);
+        let (degenerate, depth) = (Degenerate::Cull, ConservativeDepth::Centre);
+        let config = ConservativeConfig { mode, grow: 0, degenerate, depth };
+        profile.form.edge_mut().unwrap().conservative = Some(config);
+        profile.depth = None;
+        let proofs = ask(&profile, 2);
+        proofs.into_iter().filter(|proof| proof.claim.starts_with("channel.c.")).collect::<Vec<_>>()
+    };
+    for correction in corrections() {
+        let flat = matches!(correction, Correction::Flat { .. });
+        let outer = asked(ConservativeMode::Outer, &correction);
+        assert!(!outer.is_empty());
+        for proof in outer {
+            assert_eq!(proof.sufficient, flat, "{correction:?}: {}", proof.statement);
+            assert!(flat || proof.bits.is_none(), "{}", proof.statement);
+        }
+        let inner = asked(ConservativeMode::Inner, &correction);
+        if !matches!(correction, Correction::ConstantW { .. }) {
+            assert!(inner.iter().any(|proof| proof.bits.is_some()), "{correction:?}");
+        }
+    }
 }
