@@ -12,7 +12,7 @@ pub use fill::Raster;
 pub use primitive::{Primitive, PrimitiveError};
 pub use quads::{PixelDetail, QuadError};
 pub use record::{Drawing, Records, Span};
-pub use walk::{Divider, Walk};
+pub use walk::Walk;
 
 use crate::cover::{Rect, SampleGrid};
 use crate::dda::Processor;

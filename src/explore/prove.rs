@@ -47,6 +47,7 @@ pub use smt::script as smt;
 pub use solver::{Answer, Check, Solver, check};
 pub use table::{Row, table};
 
+use crate::setup::Triangle;
 use serde::Serialize;
 
 /// A claim on a number of bits, and what it rests on.
@@ -109,6 +110,24 @@ pub struct Witness {
     pub expected: String,
     /// What came out.
     pub got: String,
+}
+
+impl Witness {
+    /// A triangle, with its depths, that the model draws with so many bits: what is true and what came out.
+    fn drawn(bits: u32, triangle: &Triangle, expected: String, got: String) -> Self {
+        Self {
+            bits,
+            by: "model",
+            triangle: triangle.xy.to_vec(),
+            depths: triangle.z,
+            codes: None,
+            edge: None,
+            pixel: None,
+            sample: None,
+            expected,
+            got,
+        }
+    }
 }
 
 impl Proof {

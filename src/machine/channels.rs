@@ -248,8 +248,7 @@ impl Channels {
         }
         let given = triangle;
         let triangle = triangle.normalised();
-        let drawn = triangle.area2() > 0 || machine.draws_degenerate();
-        let set_up = values.zip(machine.carrier()).filter(|_| drawn);
+        let set_up = values.zip(machine.carrier()).filter(|_| is_drawn(machine, &triangle));
         let set_up = set_up.map(|(values, carrier)| {
             let turned = given.area2() < 0;
             self.set_up(carrier, &triangle, values, turned, &|_| true)
@@ -258,6 +257,11 @@ impl Channels {
             ChannelSink { channels: self, set_up, out, open: None, buffers: Buffers::default() };
         machine.draw(&Input::Triangle(given), &mut painter)
     }
+}
+
+/// Whether a normalised triangle is more than its zero area.
+fn is_drawn(machine: &dyn Machine, triangle: &Triangle) -> bool {
+    triangle.area2() > 0 || machine.draws_degenerate()
 }
 
 /// Takes a channel's number, a run and the codes of each component along it.

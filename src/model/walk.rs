@@ -4,7 +4,7 @@ use super::Model;
 use crate::bits::bounded;
 use crate::dda::{Op, Walker};
 use crate::format::ReadOut;
-use crate::value::{Corrector, Divided, InterpolatorUnit};
+use crate::value::{Divided, InterpolatorUnit};
 
 /// A depth accumulator or an interpolator with its read-out, or an edge word with its sign test; all zeros at
 /// first.
@@ -49,29 +49,16 @@ impl Model {
         Some(Walk::new(unit.read, Shown::Component(unit)))
     }
 
-    /// What divides the accumulators of channel `number`; `None` for one that is not divided by 1/w. Spec
-    /// clause `CH-5`.
-    pub fn divider(&self, number: usize) -> Option<Divider<'_>> {
+    /// The division of channel `number` at a sample: the words for the accumulators of u/w and 1/w, each taken
+    /// mod 2^width. `None` for a channel that is not divided by 1/w. Spec clause `CH-5`.
+    pub fn divide(&self, number: usize, [over, inverse]: [i128; 2]) -> Option<Divided> {
         let corrector = self.channels()?.corrector(number)?;
-        corrector.config().correction.walks_w().then_some(Divider { corrector })
-    }
-}
-
-/// A division a sample, as a unit of its own.
-#[derive(Clone, Copy, Debug)]
-pub struct Divider<'a> {
-    corrector: &'a Corrector,
-}
-
-impl Divider<'_> {
-    /// The words for the accumulators of u/w and 1/w, each taken mod 2^width.
-    pub fn divide(&self, over: i128, inverse: i128) -> Divided {
+        let w = corrector.w_read_out().filter(|_| corrector.config().correction.walks_w())?;
         let word = |word: i128, read: ReadOut| {
             let above = i128::BITS - read.width();
             word << above >> above
         };
-        let inverse = self.corrector.w_read_out().map_or(0, |read| word(inverse, read));
-        self.corrector.division(word(over, self.corrector.read_out()), inverse)
+        Some(corrector.division(word(over, corrector.read_out()), word(inverse, w)))
     }
 }
 

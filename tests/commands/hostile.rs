@@ -1,7 +1,7 @@
 //! Sets and files that lie: each ends with a line that says so, soon and without much memory.
 #![allow(clippy::unwrap_used, reason = "a test may panic")]
 
-use crate::run::{guardbit, pipe_in, run_in};
+use crate::run::{guardbit, pipe_in, run_in, run_on_full_disk};
 use crate::set::{Set, copy, options, profile, request, write_set};
 use guardbit::profile::{read_at_most, read_text_at_most};
 use guardbit::vector::check::{self, CheckError, CheckOptions, CheckReport};
@@ -262,15 +262,9 @@ fn a_wave_is_written_whole_or_not_at_all() {
     run_in(home.path(), "trace tiny --scene fan --vcd w.vcd --fst w.fst").ends(0);
     let before = ["w.vcd", "w.fst"].map(|name| fs::read(path(name)).unwrap());
     assert!(before.iter().all(|bytes| bytes.len() > 100));
-    // A full disk: the shell's limit on the size of a file, in blocks of 512 or 1024 bytes.
     for format in ["vcd", "fst"] {
-        let line = format!(
-            "ulimit -f 0; trap '' XFSZ; exec {} trace tiny --scene fan --{format} w.{format} >/dev/null",
-            env!("CARGO_BIN_EXE_guardbit")
-        );
-        let mut shell = std::process::Command::new("sh");
-        let ran = shell.args(["-c", &line]).current_dir(home.path()).output().unwrap();
-        assert_eq!(ran.status.code(), Some(3), "{ran:?}");
+        let line = format!("trace tiny --scene fan --{format} w.{format}");
+        run_on_full_disk(home.path(), 0, &line).ends(3);
     }
     let after = ["w.vcd", "w.fst"].map(|name| fs::read(path(name)).unwrap());
     assert!(after == before);

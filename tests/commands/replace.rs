@@ -1,6 +1,6 @@
 //! `vectors --force`: what is replaced, what stays, and what a killed run leaves.
 
-use crate::run::{guardbit, run_in};
+use crate::run::{guardbit, run_in, run_on_full_disk};
 use crate::set::{copy, options, profile, request, tree, write_set};
 use guardbit::vector::check::{self, CheckOptions};
 use guardbit::vector::manifest::Manifest;
@@ -335,15 +335,9 @@ fn a_full_disk_leaves_the_old_set() {
     let home = tempfile::tempdir().unwrap();
     write_tiny(&home.path().join("set"), &options(50)).0.unwrap();
     let before = tree(home.path());
-    // No file may have more than 8 blocks of 512 or 1024 bytes.
     for (out, force) in [("new", ""), ("set", "--force")] {
-        let line = format!(
-            "ulimit -f 8; trap '' XFSZ; exec {} vectors tiny --scene triangle --count 5000 --out {out} {force}",
-            env!("CARGO_BIN_EXE_guardbit")
-        );
-        let mut shell = std::process::Command::new("sh");
-        let ran = shell.args(["-c", &line]).current_dir(home.path()).output().unwrap();
-        assert_eq!(ran.status.code(), Some(3), "{ran:?}");
+        let line = format!("vectors tiny --scene triangle --count 5000 --out {out} {force}");
+        run_on_full_disk(home.path(), 8, &line).ends(3);
         assert!(tree(home.path()) == before, "{out}");
         assert_eq!(fs::read_dir(home.path()).unwrap().count(), 1);
     }

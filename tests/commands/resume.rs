@@ -7,7 +7,7 @@
 use crate::run;
 
 use guardbit::model::MODEL_VERSION;
-use run::{Ran, guardbit, run_in};
+use run::{Ran, guardbit, run_in, run_on_full_disk};
 use std::fs;
 use std::path::Path;
 use std::process::Stdio;
@@ -275,15 +275,8 @@ fn a_file_that_can_grow_no_more_holds_whole_lines_and_goes_on() {
     let (home, whole) = toy();
     let home = home.path();
     let full = save(home, TOY, "full");
-    // The signal of the limit is ignored, so that it is an error of the write.
-    let script = format!(
-        "trap '' XFSZ; ulimit -f {}; exec {} {TOY} --threads 4 --save file",
-        full.len() / 2 / 1024,
-        env!("CARGO_BIN_EXE_guardbit")
-    );
-    let mut command = std::process::Command::new("bash");
-    let ran: Ran = command.current_dir(home).args(["-c", &script]).output().unwrap().into();
-    ran.complains(3, &["file: "]);
+    let line = format!("{TOY} --threads 4 --save file");
+    run_on_full_disk(home, full.len() / 2 / 1024, &line).complains(3, &["file: "]);
     let text = fs::read_to_string(home.join("file")).unwrap();
     assert!(text.ends_with("}\n") && text.lines().count() >= 2, "{text}");
     assert!(text.len() < full.len());

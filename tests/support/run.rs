@@ -58,6 +58,15 @@ pub(crate) fn run_in(folder: &Path, arguments: &str) -> Ran {
     command.output().unwrap().into()
 }
 
+/// The same where no file can have more than so many blocks of 1024 bytes, which stands for a full disk. The signal
+/// of the limit is ignored, so that it is an error of the write.
+pub(crate) fn run_on_full_disk(folder: &Path, blocks: usize, arguments: &str) -> Ran {
+    let program = env!("CARGO_BIN_EXE_guardbit");
+    let script = format!("trap '' XFSZ; ulimit -f {blocks}; exec {program} {arguments}");
+    let mut shell = Command::new("bash");
+    shell.current_dir(folder).args(["-c", &script]).output().unwrap().into()
+}
+
 /// The same with a text on standard input.
 pub(crate) fn pipe_in(folder: &Path, arguments: &str, input: &str) -> Ran {
     let mut command = guardbit();

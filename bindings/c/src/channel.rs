@@ -151,12 +151,12 @@ pub unsafe extern "C" fn guardbit_divide(
 pub(crate) fn divide(model: i32, channel: u32, words: [u128; 2]) -> Result<u128, Failure> {
     MODELS.with(model, |open| {
         port(open, "channel", channel)?;
-        let divider = open.model.divider(channel as usize).ok_or_else(|| {
+        let divided = open.model.divide(channel as usize, words.map(u128::cast_signed));
+        let divided = divided.ok_or_else(|| {
             let text = format!("channel = {channel}: it is not divided by 1/w");
             Failure::new(GUARDBIT_ARGUMENT, text)
         })?;
-        let [over, inverse] = words.map(u128::cast_signed);
-        Ok(i128::from(divider.divide(over, inverse).code).cast_unsigned())
+        Ok(i128::from(divided.code).cast_unsigned())
     })
 }
 

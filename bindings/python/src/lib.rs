@@ -266,9 +266,9 @@ impl Model {
     }
 
     fn divide(&self, channel: &str, acc: i128, acc_w: i128) -> PyResult<i64> {
-        let divider = self.0.divider(self.number(channel)?);
-        let divider = divider.ok_or_else(|| refuse(format!("{channel} is not divided by 1/w")))?;
-        Ok(divider.divide(acc, acc_w).code)
+        let divided = self.0.divide(self.number(channel)?, [acc, acc_w]);
+        let divided = divided.ok_or_else(|| refuse(format!("{channel} is not divided by 1/w")))?;
+        Ok(divided.code)
     }
 }
 

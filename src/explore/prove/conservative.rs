@@ -2,22 +2,19 @@
 //! `CR-8`.
 
 use super::domain::Question;
-use super::edge::{read, thirds};
+use super::edge::misread;
 use super::edge_coefficient::{coefficient, constant};
 use super::formal::Formal;
 use super::plane::{self, Subject};
 use super::snap_witness;
 use super::text::bits as count;
-use super::trial::shoot;
-use super::{Proof, Witness, guard, slope};
+use super::{Proof, guard, slope};
 use crate::cover::{
     ConservativeConfig, ConservativeDepth, ConservativeMode, Degenerate, EdgeStorage,
     EdgeWordConfig,
 };
 use crate::exact::Square;
-use crate::explore::corner::{Area, at_corners, edges_at_corners, signed_bits};
-use crate::machine::EdgeFunctionConfig;
-use crate::profile::Profile;
+use crate::explore::corner::{at_corners, signed_bits};
 use crate::setup::{Division, EdgeCoefficients, Triangle};
 
 /// What a snap is measured in.
@@ -41,13 +38,9 @@ fn gain(question: &Question, config: ConservativeConfig, edge: &EdgeCoefficients
     ((edge.a.abs() + edge.b.abs()) * config.reach(question.sub_pixel())) >> 1
 }
 
-fn shift(question: &Question, storage: EdgeStorage) -> u32 {
-    if storage == EdgeStorage::Shifted { question.sub_pixel() } else { 0 }
-}
-
 /// The width of one storage.
 fn word(question: &Question, config: ConservativeConfig, storage: EdgeStorage) -> Proof {
-    let shift = shift(question, storage);
+    let shift = if storage == EdgeStorage::Shifted { question.sub_pixel() } else { 0 };
     let values: Vec<i128> = at_corners(question.vertex_area(), question.sample_area())
         .map(|(edge, e)| (e + gain(question, config, &edge)) >> shift)
         .collect();
@@ -55,7 +48,12 @@ fn word(question: &Question, config: ConservativeConfig, storage: EdgeStorage) -
     let [low, high] = [values.iter().min(), values.iter().max()].map(|v| v.copied().unwrap_or(0));
     let given = question.profile.form.edge().filter(|edges| edges.storage == storage);
     let given = given.map(|edges| edges.width);
-    let witness = misread(question, config, storage, bits);
+    let (rule, conservative) = (question.rule(), Some(config));
+    let edges = EdgeWordConfig { rule, storage, width: bits, conservative };
+    let witness =
+        misread(question, edges, &|edge| gain(question, config, edge), &|triangle, pixel| {
+            covers(question, config, triangle, pixel)
+        });
     let sign = if config.mode == ConservativeMode::Outer { '+' } else { '-' };
     let half = config.reach(question.sub_pixel()).abs();
     let word = format!("floor(E {sign} (|A| + |B|) {half}/2)");
@@ -111,55 +109,6 @@ fn covers(
         ConservativeMode::Outer => square.touches(halves),
         ConservativeMode::Inner => square.lies_in(halves),
     }
-}
-
-/// A triangle and a pixel drawn wrong with one bit fewer and right with `bits`.
-fn misread(
-    question: &Question,
-    config: ConservativeConfig,
-    storage: EdgeStorage,
-    bits: u32,
-) -> Option<Witness> {
-    let [narrow, wide] = [bits - 1, bits].map(|width| {
-        let (rule, conservative) = (question.rule(), Some(config));
-        let form = EdgeFunctionConfig(EdgeWordConfig { rule, storage, width, conservative });
-        Profile { form: form.into(), ..question.profile.clone() }
-    });
-    let shift = shift(question, storage);
-    let [w, h] = question.size();
-    let pixels = Area {
-        low: question.origin,
-        high: [question.origin[0] + w - 1, question.origin[1] + h - 1],
-    };
-    edges_at_corners(question.vertex_area()).find_map(|(ends, edge)| {
-        pixels.corners().into_iter().find_map(|pixel| {
-            let sample = question.sample(pixel);
-            let stored = (edge.at(sample[0], sample[1]) + gain(question, config, &edge)) >> shift;
-            let seen = read(stored, bits - 1).filter(|seen| *seen != stored)?;
-            thirds(question.vertex_area(), sample).into_iter().find_map(|third| {
-                let triangle = Triangle { xy: [ends[0], ends[1], third], z: None };
-                if triangle.area2() <= 0 {
-                    return None;
-                }
-                let truth = covers(question, config, &triangle, pixel);
-                let covered = |profile| Some(shoot(question, profile, &triangle, pixel)?.covered);
-                let agrees = covered(&wide)? == truth && covered(&narrow)? != truth;
-                let text = |covered| if covered { "covered" } else { "not covered" };
-                agrees.then(|| Witness {
-                    bits: bits - 1,
-                    by: "model",
-                    triangle: triangle.xy.to_vec(),
-                    depths: None,
-                    codes: None,
-                    edge: Some(ends),
-                    pixel: Some(pixel),
-                    sample: Some(sample),
-                    expected: format!("{}: the edge word is {stored}", text(truth)),
-                    got: format!("{}: {} read {seen}", text(!truth), count(bits - 1)),
-                })
-            })
-        })
-    })
 }
 
 /// The growth that pays for the snap.

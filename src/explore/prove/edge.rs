@@ -13,7 +13,7 @@ use crate::cover::{EdgeStorage, EdgeWordConfig};
 use crate::explore::corner::{Area, at_corners, bias, edges_at_corners, widths};
 use crate::machine::EdgeFunctionConfig;
 use crate::profile::Profile;
-use crate::setup::Triangle;
+use crate::setup::{EdgeCoefficients, Triangle};
 
 /// Stored and full width, then the coefficients and the constant.
 pub(super) fn proofs(question: &Question) -> Vec<Proof> {
@@ -23,17 +23,6 @@ pub(super) fn proofs(question: &Question) -> Vec<Proof> {
         coefficient(question),
         constant(question),
     ]
-}
-
-/// The question's profile with an edge function of this word.
-fn narrowed(question: &Question, storage: EdgeStorage, width: u32) -> Profile {
-    let form = EdgeFunctionConfig(EdgeWordConfig {
-        rule: question.rule(),
-        storage,
-        width,
-        conservative: None,
-    });
-    Profile { form: form.into(), ..question.profile.clone() }
 }
 
 /// A value as a word of `width` bits reads it.
@@ -56,7 +45,10 @@ pub(super) fn word(question: &Question, storage: EdgeStorage) -> Proof {
         .map(|(edge, e)| Rounding::Floor.shift_right(e + bias(rule, &edge), shift).0)
         .collect();
     let [low, high] = [values.iter().min(), values.iter().max()].map(|v| v.copied().unwrap_or(0));
-    let witness = misread(question, storage, bits);
+    let edges = EdgeWordConfig { rule, storage, width: bits, conservative: None };
+    let witness = misread(question, edges, &|edge| bias(rule, edge), &|triangle, pixel| {
+        covers(question, triangle, pixel)
+    });
     let what = if shift == 0 { "E + bias".to_owned() } else { format!("(E + bias) >> {shift}") };
     let enough = match given {
         Some(given) if given == bits => {
@@ -137,11 +129,20 @@ fn first_wider(question: &Question, bits: u32, needed: impl Fn(Area) -> u32) -> 
     high
 }
 
-/// A triangle and a pixel drawn wrong with one bit fewer and right with `bits`.
-fn misread(question: &Question, storage: EdgeStorage, bits: u32) -> Option<Witness> {
-    let [narrow, wide] = [bits - 1, bits].map(|width| narrowed(question, storage, width));
-    let (s, rule) = (question.sub_pixel(), question.rule());
-    let shift = if storage == EdgeStorage::Shifted { s } else { 0 };
+/// A triangle and a pixel drawn wrong with one bit fewer than these words have and right with all: `gain` is what E
+/// gains before it is stored, `truth` whether the clause covers a pixel.
+pub(super) fn misread(
+    question: &Question,
+    edges: EdgeWordConfig,
+    gain: &dyn Fn(&EdgeCoefficients) -> i128,
+    truth: &dyn Fn(&Triangle, [i128; 2]) -> bool,
+) -> Option<Witness> {
+    let fewer = edges.width - 1;
+    let [narrow, wide] = [fewer, edges.width].map(|width| {
+        let form = EdgeFunctionConfig(EdgeWordConfig { width, ..edges });
+        Profile { form: form.into(), ..question.profile.clone() }
+    });
+    let shift = if edges.storage == EdgeStorage::Shifted { question.sub_pixel() } else { 0 };
     let [w, h] = question.size();
     let pixels = Area {
         low: question.origin,
@@ -150,37 +151,30 @@ fn misread(question: &Question, storage: EdgeStorage, bits: u32) -> Option<Witne
     edges_at_corners(question.vertex_area()).find_map(|(ends, edge)| {
         pixels.corners().into_iter().find_map(|pixel| {
             let sample = question.sample(pixel);
-            let biased = edge.at(sample[0], sample[1]) + bias(rule, &edge);
-            let stored = Rounding::Floor.shift_right(biased, shift).0;
-            let seen = read(stored, bits - 1).filter(|seen| *seen != stored)?;
+            let stored =
+                Rounding::Floor.shift_right(edge.at(sample[0], sample[1]) + gain(&edge), shift).0;
+            let seen = read(stored, fewer).filter(|seen| *seen != stored)?;
             thirds(question.vertex_area(), sample).into_iter().find_map(|third| {
                 let triangle = Triangle { xy: [ends[0], ends[1], third], z: None };
                 if triangle.area2() <= 0 {
                     return None;
                 }
-                let truth = covers(question, &triangle, pixel);
+                let truth = truth(&triangle, pixel);
                 let covered = |profile| Some(shoot(question, profile, &triangle, pixel)?.covered);
                 let agrees = covered(&wide)? == truth && covered(&narrow)? != truth;
                 let text = |covered| if covered { "covered" } else { "not covered" };
-                agrees.then(|| Witness {
-                    bits: bits - 1,
-                    by: "model",
-                    triangle: triangle.xy.to_vec(),
-                    depths: None,
-                    codes: None,
-                    edge: Some(ends),
-                    pixel: Some(pixel),
-                    sample: Some(sample),
-                    expected: format!("{}: the edge word is {stored}", text(truth)),
-                    got: format!("{}: {} read {seen}", text(!truth), count(bits - 1)),
-                })
+                let expected = format!("{}: the edge word is {stored}", text(truth));
+                let got = format!("{}: {} read {seen}", text(!truth), count(fewer));
+                let witness = Witness::drawn(fewer, &triangle, expected, got);
+                let (edge, pixel, sample) = (Some(ends), Some(pixel), Some(sample));
+                agrees.then_some(Witness { edge, pixel, sample, ..witness })
             })
         })
     })
 }
 
 /// Vertices that can make a triangle around a sample far from an edge.
-pub(super) fn thirds(vertices: Area, [x, y]: [i128; 2]) -> Vec<[i128; 2]> {
+fn thirds(vertices: Area, [x, y]: [i128; 2]) -> Vec<[i128; 2]> {
     let ([x0, y0], [x1, y1]) = (vertices.low, vertices.high);
     let level = [[x0, y], [x1, y], [x, y0], [x, y1]].into_iter().filter(|at| vertices.holds(*at));
     level.chain(vertices.corners()).collect()

@@ -227,19 +227,14 @@ fn wraps(question: &Question, depth: &DepthConfig, guard: u32) -> Option<(Witnes
             .depth
             .map_or_else(|| "refused".to_owned(), |depth| format!("depth {depth} read"));
         let witness = Witness {
-            bits: guard,
-            by: "model",
-            triangle: triangle.xy.to_vec(),
-            depths: triangle.z,
-            codes: None,
-            edge: None,
             pixel: Some(pixel),
             sample: Some(question.sample(pixel)),
-            expected: format!(
-                "depth 0 at the vertex {}",
-                point(triangle.xy[0], question.sub_pixel())
-            ),
-            got: format!("{got}: the accumulator, {accumulator}/2^{}, wraps", depth.interpolation),
+            ..Witness::drawn(
+                guard,
+                &triangle,
+                format!("depth 0 at the vertex {}", point(triangle.xy[0], question.sub_pixel())),
+                format!("{got}: the accumulator, {accumulator}/2^{}, wraps", depth.interpolation),
+            )
         };
         right.then_some((witness, accumulator))
     })

@@ -165,22 +165,20 @@ impl Search<'_> {
         let truth = exact::plane_at(triangle.xy, triangle.z?, sample)?;
         let shot = shot_of(self.fraction)?;
         let witness = Witness {
-            bits: self.fraction,
-            by: "model",
-            triangle: triangle.xy.to_vec(),
-            depths: triangle.z,
-            codes: None,
-            edge: None,
             pixel: Some(pixel),
             sample: Some(sample),
-            expected: format!("depth {} = {} ULP", mixed(&truth), decimal(&truth)),
-            got: format!(
-                "{} ULP, an error of {} ULP; with {} bits the error is {} ULP",
-                decimal(&(&truth + &few)),
-                decimal(&few),
-                self.fraction + 1,
-                decimal(&enough)
-            ),
+            ..Witness::drawn(
+                self.fraction,
+                &triangle,
+                format!("depth {} = {} ULP", mixed(&truth), decimal(&truth)),
+                format!(
+                    "{} ULP, an error of {} ULP; with {} bits the error is {} ULP",
+                    decimal(&(&truth + &few)),
+                    decimal(&few),
+                    self.fraction + 1,
+                    decimal(&enough)
+                ),
+            )
         };
         Some((witness, self.residues(&shot.setup, &triangle, pixel)?))
     }

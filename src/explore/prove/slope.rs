@@ -26,17 +26,13 @@ pub(super) fn proof(question: &Question) -> Option<Proof> {
     // What set-up hands to the machine, with every bit it has.
     let shot = shoot(question, &question.profile, &triangle, question.origin);
     let drawn = shot.is_some_and(|shot| shot.setup.iter().any(|word| word.abs() == steepest));
-    let witness = (drawn && seen != steepest).then(|| Witness {
-        bits: bits - 1,
-        by: "model",
-        triangle: triangle.xy.to_vec(),
-        depths: triangle.z,
-        codes: None,
-        edge: None,
-        pixel: None,
-        sample: None,
-        expected: format!("a slope of {steepest} units a pixel, twice the area being 1"),
-        got: format!("{seen}"),
+    let witness = (drawn && seen != steepest).then(|| {
+        Witness::drawn(
+            bits - 1,
+            &triangle,
+            format!("a slope of {steepest} units a pixel, twice the area being 1"),
+            format!("{seen}"),
+        )
     });
     let width = depth.guard + depth.integer + fraction;
     let quotient = |bits: u32| {

@@ -46,16 +46,13 @@ fn witness(
     let divisor = (1..=size).rev().find(|n| size % n == 0 && PARTS % n == 0).unwrap_or(1);
     let moved = format!("{}/{} sub-pixel {way}", size / divisor, PARTS / divisor);
     Witness {
-        bits: grow,
-        by: "model",
-        triangle: xy.to_vec(),
-        depths: None,
-        codes: None,
-        edge: None,
         pixel: Some(pixel),
-        sample: None,
-        expected: format!("before the snap each coordinate is {moved}, and {expected}"),
-        got: got.to_owned(),
+        ..Witness::drawn(
+            grow,
+            &Triangle { xy, z: None },
+            format!("before the snap each coordinate is {moved}, and {expected}"),
+            got.to_owned(),
+        )
     }
 }
 
@@ -129,20 +126,9 @@ pub(super) fn flattened(question: &Question, config: ConservativeConfig) -> Opti
         [PARTS / 4, -PARTS / 4].into_iter().find(|parts| before(question, xy, *parts).is_some())?;
     let covered = shoot(question, &profile, &Triangle { xy, z: None }, pixel)?.covered;
     let [x, y] = xy[0];
-    (!covered).then(|| Witness {
-        bits: config.grow,
-        by: "model",
-        triangle: xy.to_vec(),
-        depths: None,
-        codes: None,
-        edge: None,
-        pixel: Some(pixel),
-        sample: None,
-        expected: format!(
+    (!covered).then(|| Witness { pixel: Some(pixel), ..Witness::drawn(config.grow, &Triangle { xy, z: None }, format!(
             "before the snap the vertices are ({x}, {y}), ({x} {sign} 1/4, {y}) and ({x}, {y} {sign} 1/4), and the \
              triangle touches the square of the pixel",
             sign = if parts > 0 { '+' } else { '-' }
-        ),
-        got: "nothing: no area is left".to_owned(),
-    })
+        ), "nothing: no area is left".to_owned()) })
 }

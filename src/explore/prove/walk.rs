@@ -157,21 +157,18 @@ fn strays(question: &Question, walk: EdgeWalkConfig, fraction: u32) -> Option<Fo
         let ((few, row, x, residues), (enough, ..)) = (error(fraction)?, error(fraction + 1)?);
         (few.abs() >= limit && enough.abs() < limit).then(|| {
             let witness = Witness {
-                bits: fraction,
-                by: "model",
-                triangle: triangle.xy.to_vec(),
-                depths: None,
-                codes: None,
                 edge: Some([triangle.xy[0], triangle.xy[1]]),
-                pixel: None,
-                sample: None,
-                expected: format!("x {} on row {row}, in pixels", mixed(&x)),
-                got: format!(
-                    "off by {} sub-pixel; with {} bits by {}",
-                    decimal(&(few * scaled(1, s))),
-                    fraction + 1,
-                    decimal(&(enough * scaled(1, s)))
-                ),
+                ..Witness::drawn(
+                    fraction,
+                    &triangle,
+                    format!("x {} on row {row}, in pixels", mixed(&x)),
+                    format!(
+                        "off by {} sub-pixel; with {} bits by {}",
+                        decimal(&(few * scaled(1, s))),
+                        fraction + 1,
+                        decimal(&(enough * scaled(1, s)))
+                    ),
+                )
             };
             (witness, residues)
         })

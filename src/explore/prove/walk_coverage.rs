@@ -82,16 +82,10 @@ fn differs(
     }
     let text = |covered| if covered { "covered" } else { "not covered" }.to_owned();
     Some(Witness {
-        bits: fraction,
-        by: "model",
-        triangle: triangle.xy.to_vec(),
-        depths: None,
-        codes: None,
         edge: Some([triangle.xy[0], triangle.xy[1]]),
         pixel: Some(pixel),
         sample: Some(question.sample(pixel)),
-        expected: text(truth),
-        got: text(!truth),
+        ..Witness::drawn(fraction, &triangle, text(truth), text(!truth))
     })
 }
 

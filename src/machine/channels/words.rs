@@ -1,7 +1,7 @@
 //! The words behind a channel's codes at one sample, to be shown: the same accumulators and coordinates that
 //! the codes are made of. Spec clauses `CH-2` to `CH-7`.
 
-use super::{Channels, Places};
+use super::{Channels, Places, is_drawn};
 use crate::format::ReadOut;
 use crate::machine::{Input, Machine, Sink};
 use crate::setup::{Snapped, Triangle};
@@ -58,7 +58,7 @@ impl Channels {
         (pixel, sample): ([u32; 2], Option<u32>),
     ) -> Option<Vec<ComponentWords>> {
         let normalised = triangle.normalised();
-        if normalised.area2() == 0 || !self.takes(values) {
+        if !is_drawn(machine, &normalised) || !self.takes(values) {
             return None;
         }
         let mut find = Find { pixel, run: None, mask: 0, open: false };

@@ -1,11 +1,14 @@
 //! The words that `trace` shows behind codes are the words that make them.
 
 use super::{Case, case, corrections, draw, held, with};
-use guardbit::cover::{DepthAt, MultisampleConfig};
+use guardbit::cover::{
+    ConservativeConfig, ConservativeDepth, ConservativeMode, Degenerate, DepthAt, MultisampleConfig,
+};
 use guardbit::exact::{ratio, round};
 use guardbit::machine::{ComponentWords, triangle_machines};
 use guardbit::model::{Drawing, Model};
 use guardbit::profile::Profile;
+use guardbit::setup::Triangle;
 use guardbit::value::{Correction, Corrector, EvaluatedAt, Provoking};
 
 /// The code that the words of a component come to.
@@ -94,4 +97,23 @@ fn the_words_behind_a_code_make_it() {
     let placed = model.place(nowhere.triangle).unwrap();
     assert_eq!(model.channel_words(&placed, &values, 0, ([70, 70], None)), None);
     assert_eq!(model.channel_words(&placed, &values, 1, ([1, 1], None)), None);
+}
+
+/// Clauses CH-3, CH-5 and CR-4: a triangle without area that is drawn has words behind its codes, too.
+#[test]
+fn a_triangle_without_area_has_words_where_it_is_drawn() {
+    for correction in [corrections()[0].clone(), corrections()[3].clone()] {
+        let mut profile = with(correction, false);
+        profile.form.edge_mut().unwrap().conservative = Some(ConservativeConfig {
+            mode: ConservativeMode::Outer,
+            grow: 0,
+            degenerate: Degenerate::Draw,
+            depth: ConservativeDepth::Centre,
+        });
+        let model = Model::new(&profile).unwrap();
+        let flat = Triangle { xy: [[10, 10], [90, 50], [50, 30]], z: Some([1, 2, 3]) };
+        let case = Case { triangle: flat, ..case(3000, false) };
+        let drawing = draw(&model, &case);
+        assert!(compare(&model, &case, case.codes, &drawing) > 8);
+    }
 }
