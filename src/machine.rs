@@ -251,6 +251,11 @@ pub trait Sink {
     /// The triangle has no area and draws nothing.
     fn zero_area(&mut self) {}
 
+    /// The profile leaves the triangle out: as one without area, it draws nothing. Spec clause `FP-10`.
+    fn culled(&mut self) {
+        self.zero_area();
+    }
+
     /// A maximal run of covered samples `[x0, x1)` in row y; `depth` has one value a sample, or is
     /// empty when the primitive has none. Where pixels have several samples it is a run of pixels
     /// with one covered, and `depth` has a value a pixel or a covered sample: [`Ports::by_sample`].

@@ -22,7 +22,7 @@ use crate::machine::{
 };
 use crate::profile::{InvalidProfile, Profile};
 use crate::scene;
-use crate::setup::{Snapped, Triangle, VertexField};
+use crate::setup::{Snapped, Triangle, VertexField, Viewport};
 use crate::value::{Depth, ValueError, VertexValues};
 
 /// The version of the model. Any change of an output bit raises it, and the CHANGELOG names the change.
@@ -39,6 +39,8 @@ pub struct Model {
     depth: Option<Depth>,
     grid: SampleGrid,
     quick: Option<fill::Quick>,
+    /// From clip space to the window.
+    transform: Option<Viewport>,
     /// The channels, and the ports of the machine with theirs.
     channels: Option<(Channels, Ports)>,
 }
@@ -95,7 +97,9 @@ impl Model {
         let channels = channels(&profile, &*machine, target.grid, processor)?;
         let field = VertexField::new(&vertex, profile.depth_max())?;
         let grid = target.grid;
-        Ok(Self { profile, field, clip, machine, lines, depth, grid, quick, channels })
+        let size = (profile.window.width, profile.window.height);
+        let transform = profile.viewport.map(|viewport| viewport.viewport(size)).transpose()?;
+        Ok(Self { profile, field, clip, machine, lines, depth, grid, quick, transform, channels })
     }
 
     /// The profile, with the window in force.
@@ -190,6 +194,13 @@ impl Model {
     ) -> Result<(), DrawError> {
         let input = primitive.into();
         self.check(input.field())?;
+        if let Some(cull) = &self.profile.cull
+            && let Ok(triangle) = input.triangle()
+            && cull.culls(triangle, self.profile.vertex.sub_pixel)
+        {
+            out.culled();
+            return Ok(());
+        }
         match (input, &self.channels) {
             (Input::Triangle(triangle), Some((channels, _))) => {
                 channels.draw(&*self.machine, triangle, None, out)

@@ -6,6 +6,7 @@ mod file;
 mod form;
 mod load;
 mod neighbour;
+mod samples;
 
 pub use crate::machine::{Form, FormError, triangle_machines};
 pub use builtin::{BUILTIN, builtin};
@@ -15,11 +16,11 @@ pub use neighbour::{Neighbour, neighbours};
 
 use crate::cover::{
     Degenerate, LineConfig, LineError, MultisampleConfig, MultisampleError, PointConfig,
-    PointError, Rect, RectError, SampleConfig, SampleError, SampleGrid, TraversalConfig,
+    PointError, Rect, RectError, SampleConfig, SampleError, TraversalConfig,
 };
 use crate::format::ReadOutError;
 use crate::machine::Carries;
-use crate::setup::{VertexConfig, VertexError};
+use crate::setup::{CullConfig, VertexConfig, VertexError, ViewportConfig, ViewportError};
 use crate::value::{
     AttributeConfig, AttributeError, Correction, DepthConfig, DepthError, EvaluatedAt,
     InverseWConfig, validate_channels,
@@ -47,6 +48,12 @@ pub struct Profile {
     pub window: WindowConfig,
     /// The vertex field.
     pub vertex: VertexConfig,
+    /// From clip space to the window; positions are refused when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub viewport: Option<ViewportConfig>,
+    /// Triangles that are not drawn; all are when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cull: Option<CullConfig>,
     /// Sample position; pixel centres when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sample: Option<SampleConfig>,
@@ -103,6 +110,15 @@ pub enum InvalidProfile {
     /// The vertex field.
     #[error(transparent)]
     Vertex(#[from] VertexError),
+    /// The viewport.
+    #[error(transparent)]
+    Viewport(#[from] ViewportError),
+    /// Triangles that are left out where all are measured.
+    #[error(
+        "[cull] leaves triangles out, and this command measures every triangle of a scene; leave [cull] out, or \
+         use eval, render --show image, vectors, verify or trace"
+    )]
+    Culled,
     /// The sample position.
     #[error(transparent)]
     Sample(#[from] SampleError),
@@ -135,6 +151,12 @@ pub enum InvalidProfile {
          table `conservative` out, or use render --show image, vectors, verify or prove"
     )]
     Squares,
+    /// Samples between the sub-pixels on a machine that has no means for them.
+    #[error(
+        "the samples lie between the sub-pixels of the vertices, and {0}; place them on the grid of the \
+         vertices, or {1}"
+    )]
+    BetweenSubPixels(String, &'static str),
     /// An order of visits for a machine that has its own.
     #[error(
         "[traversal] works only with [form.edge-function]; the machine {0} has a fixed order of visits; leave \
@@ -182,10 +204,33 @@ impl InvalidProfile {
             Self::Name(_) => &["name"],
             Self::Window(_) => &["window"],
             Self::Vertex(_) => &["vertex"],
-            Self::Sample(_) => &["sample"],
+            Self::Viewport(error) => match error.key() {
+                "width" => &["viewport", "width"],
+                "height" => &["viewport", "height"],
+                "x" => &["viewport", "x"],
+                "y" => &["viewport", "y"],
+                "near" => &["viewport", "near"],
+                "far" => &["viewport", "far"],
+                _ => &["viewport", "transform"],
+            },
+            Self::Culled => &["cull"],
+            Self::Sample(error) => match error.key() {
+                Some("x") => &["sample", "x"],
+                Some("y") => &["sample", "y"],
+                Some(_) => &["sample", "of"],
+                None => &["sample"],
+            },
+            Self::BetweenSubPixels(..) => &["sample"],
             Self::Line(_) => &["line"],
             Self::Point(_) => &["point"],
-            Self::Multisample(_) | Self::MultisampleDepth(_) => &["multisample"],
+            Self::Multisample(error) => match error.key() {
+                Some("samples") => &["multisample", "samples"],
+                Some("positions") => &["multisample", "positions"],
+                Some("of") => &["multisample", "of"],
+                Some(_) => &["multisample", "mask"],
+                None => &["multisample"],
+            },
+            Self::MultisampleDepth(_) => &["multisample"],
             Self::Form(error) => &error.field,
             Self::NoCost(_) | Self::Squares => &["form"],
             Self::Traversal(_) => &["traversal"],
@@ -228,8 +273,10 @@ impl Profile {
         }
         self.vertex.validate()?;
         self.window()?;
-        self.grid()?;
-        self.depth.map(|depth| depth.validate(&self.vertex)).transpose()?;
+        self.check_samples()?;
+        let size = (self.window.width, self.window.height);
+        self.viewport.map(|viewport| viewport.viewport(size)).transpose()?;
+        self.depth.map(|depth| depth.validate(&self.finest_vertex())).transpose()?;
         self.form.check(&self.state())?;
         if let Some(line) = &self.line {
             line.validate(self.vertex.difference_bits())?;
@@ -258,7 +305,7 @@ impl Profile {
                 return Err(InvalidProfile::W(Box::new(AttributeError::UnusedW)));
             }
         }
-        let formats = validate_channels(&self.channel, self.w.as_ref(), &self.vertex);
+        let formats = validate_channels(&self.channel, self.w.as_ref(), &self.finest_vertex());
         let formats = formats.map_err(Box::new)?;
         let machine = self.form.name();
         for (channel, read) in self.channel.iter().zip(formats) {
@@ -292,14 +339,6 @@ impl Profile {
     /// [`RectError`] if a side is 0 or above 65536.
     pub fn window(&self) -> Result<Rect, RectError> {
         Rect::window(self.window.width, self.window.height)
-    }
-
-    /// The sample grid.
-    ///
-    /// # Errors
-    /// [`SampleError`] if the position is off the grid.
-    pub fn grid(&self) -> Result<SampleGrid, SampleError> {
-        SampleGrid::new(self.sample, self.vertex.sub_pixel)
     }
 
     /// The largest depth code, or 0 without depth.

@@ -28,7 +28,7 @@ pub use builtin::builtin_names;
 pub use error::SceneError;
 pub use lens::Lens;
 pub use place::Place;
-pub use primitive::Primitive;
+pub use primitive::{Positioned, Primitive};
 pub use shading::{Named, Shading};
 
 /// The most bytes of a file of a scene that are read: 1 GiB.

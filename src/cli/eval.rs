@@ -25,6 +25,8 @@ const LONGEST: u64 = 1 << 24;
 /// "f" instead of "v" takes real numbers: x and y in pixels, z in depth ULPs; {"bits": "7fc00000"} gives
 /// NaN and infinities.
 /// "line": [[x,y],[x,y]] and "point": [x,y] follow the rules of the profile.
+/// "position": [[x,y,z,w], ...] are three vertices in clip space, which [viewport] of the profile brings to the
+/// window; "w" is theirs.
 /// "polygon": [[x,y],...] and "clip": [[X,Y,Z,W],...] need a machine that draws them.
 /// On a profile with channels, "channels": {"color": [[r,g,b],[r,g,b],[r,g,b]], ...} gives their values, and
 /// "q": [...] beside "v" (codes of 1/w) or "w": [...] beside "f" (distances from the eye) what perspective

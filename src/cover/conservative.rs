@@ -123,7 +123,7 @@ impl ConservativeConfig {
     /// # Errors
     /// [`ConservativeError`] names the violated inequality.
     pub fn validate(self, grid: &SampleGrid) -> Result<(), ConservativeError> {
-        let SampleGrid { offset: [x, y], sub_pixel } = *grid;
+        let SampleGrid { offset: [x, y], sub_pixel, .. } = *grid;
         if u64::from(self.grow) > 2 << sub_pixel {
             return Err(ConservativeError::Grow { grow: self.grow, sub_pixel });
         }

@@ -83,14 +83,19 @@ impl EdgeWordConfig {
         bits
     }
 
-    /// An owner covers E >= 0, any other E > 0: with integers, E - 1 >= 0. For a square, what E gains on the
-    /// way to the corner that decides, which is floored: E is an integer, so no sign changes (clause `CR-3`).
+    /// An owner covers E >= 0, any other E > 0: with integers, E - 1 >= 0. E at a sample between the sub-pixels
+    /// has parts beside the integer, so the bias is one part, and the sum is floored (clause `FP-2`). For a
+    /// square, what E gains on the way to the corner that decides, floored as well: E is an integer, so no sign
+    /// changes (clause `CR-3`).
     fn bias(self, edge: &EdgeCoefficients, grid: &SampleGrid) -> i128 {
-        match self.conservative {
-            Some(config) => ((edge.a.abs() + edge.b.abs()) * config.reach(grid.sub_pixel)) >> 1,
-            None if self.rule.owns(edge.direction()) => 0,
-            None => -1,
+        if let Some(config) = self.conservative {
+            return ((edge.a.abs() + edge.b.abs()) * config.reach(grid.sub_pixel)) >> 1;
         }
+        let bias = if self.rule.owns(edge.direction()) { 0 } else { -1 };
+        if grid.is_on_the_grid() {
+            return bias;
+        }
+        (edge.a * grid.part[0] + edge.b * grid.part[1] + bias).div_euclid(grid.parts)
     }
 
     /// How far the bounding box of a triangle reaches beyond its vertices, in sub-pixels: a negative number

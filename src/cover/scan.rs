@@ -157,7 +157,7 @@ mod tests {
     fn every_toy_triangle_is_cut_where_the_edges_say() {
         // Plain half planes, sample by sample, in a window of 4 x 3 pixels with one sub-pixel bit.
         let clip = Rect { x0: 1, y0: 0, x1: 4, y1: 3 };
-        let grid = SampleGrid { offset: [1, 1], sub_pixel: 1 };
+        let grid = SampleGrid::at([1, 1], 1);
         let points: Vec<[i128; 2]> = (0..=6).flat_map(|y| (-1..=8).map(move |x| [x, y])).collect();
         let mut drawn = 0;
         for (i, a) in points.iter().enumerate().step_by(3) {

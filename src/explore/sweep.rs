@@ -137,7 +137,7 @@ impl Sweep {
     /// # Errors
     /// [`InvalidProfile`] names the violated inequality.
     pub fn stages(&self, profile: &Profile) -> Result<Vec<Stage>, InvalidProfile> {
-        let (grid, clip) = (profile.grid()?, profile.window()?);
+        let (grid, clip) = (profile.whole_grid()?, profile.window()?);
         self.scenes
             .iter()
             .map(|reference| {

@@ -135,7 +135,7 @@ fn locate(
     metric: Metric,
 ) -> Result<Option<Place>, InvalidProfile> {
     if metric.cause == Cause::Snap {
-        let (grid, clip) = (profile.grid()?, profile.window()?);
+        let (grid, clip) = (profile.whole_grid()?, profile.window()?);
         let truth = Truth::new(&sweep.scenes[scene], &grid, clip, exact_rule(&profile.form));
         return Ok(match metric.subject {
             Subject::Misclassified | Subject::Hits => stage.displaced(&truth),

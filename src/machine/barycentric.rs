@@ -119,7 +119,7 @@ impl BarycentricConfig {
         weight[n] = 1;
         let gradient = Gradient::new(triangle, weight);
         let (bits, rounding) = (self.coordinate, self.rounding);
-        Plane::round(&gradient, grid.offset, grid.sub_pixel, bits, rounding, Division::Quotient)
+        grid.plane(&gradient, bits, rounding, Division::Quotient)
     }
 }
 

@@ -105,20 +105,13 @@ impl Carrier for Planes {
 pub(super) fn plane(value: &LinearValue<'_>, words: &CarriedWords) -> Plane {
     let (grid, fraction) = (value.grid, words.read.fraction());
     let gradient = Gradient::new(value.triangle, value.values);
+    let (rounding, division) = (words.rounding, words.division);
     let plane = if value.scale == 0 {
-        let (rounding, division) = (words.rounding, words.division);
-        Plane::round(&gradient, grid.offset, grid.sub_pixel, fraction, rounding, division)
+        grid.plane(&gradient, fraction, rounding, division)
     } else {
-        let start = gradient.numerator(grid.offset);
-        let whole = gradient.area2 << value.scale;
-        Plane::over(
-            [start, gradient.x, gradient.y],
-            whole,
-            grid.sub_pixel,
-            fraction,
-            words.rounding,
-            words.division,
-        )
+        let (numerators, whole) = grid.numerators(&gradient);
+        let whole = whole << value.scale;
+        Plane::over(numerators, whole, grid.sub_pixel, fraction, rounding, division)
     };
     let raised = plane.raised(Unreduced::new(words.gain, fraction));
     raised.unwrap_or_else(|error| unreachable!("a gain in the plane's units: {error}"))

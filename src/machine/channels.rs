@@ -103,7 +103,7 @@ impl Channels {
                     grids.len() - wanted.len()
                 })
             };
-            let centre = SampleGrid { offset: [1 << sub_pixel >> 1; 2], sub_pixel };
+            let centre = SampleGrid::at([1 << sub_pixel >> 1; 2], sub_pixel);
             let places = match (config.at, multisample) {
                 (EvaluatedAt::Sample, None) => Places::One(place(&samples)),
                 (EvaluatedAt::Sample, Some(_)) => {
@@ -114,7 +114,7 @@ impl Channels {
                 }
                 (EvaluatedAt::Centre | EvaluatedAt::Centroid, _) => Places::One(place(&[centre])),
                 (EvaluatedAt::Corner, _) => {
-                    Places::One(place(&[SampleGrid { offset: [0; 2], sub_pixel }]))
+                    Places::One(place(&[SampleGrid::at([0; 2], sub_pixel)]))
                 }
             };
             let corrector = Corrector::new(config, w, vertex)?;

@@ -182,7 +182,7 @@ impl Compared {
         let profile = self.profile.with_machine(name).unwrap_or_else(|| self.profile.clone());
         let rule = exact_rule(&profile.form);
         if !self.stages.iter().any(|(known, _)| *known == rule) {
-            let (grid, clip) = (profile.grid()?, profile.window()?);
+            let (grid, clip) = (profile.whole_grid()?, profile.window()?);
             let truth = Truth::new(&self.reference, &grid, clip, rule);
             self.stages.push((rule, Stage::new(&self.reference, &truth, &profile)?));
         }

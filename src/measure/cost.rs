@@ -86,7 +86,7 @@ pub struct Estimate {
 /// [`InvalidProfile`] if the profile fails validation, or if its machine has no cost model.
 pub fn estimate(profile: &Profile) -> Result<Cost, InvalidProfile> {
     profile.validate()?;
-    let grid = profile.grid()?;
+    let grid = profile.whole_grid()?;
     let Datapath { units, setup_bits, operations } = datapath(profile)?;
     let sum = |bits: fn(&Unit) -> u32| units.iter().map(bits).sum();
     let depth_bits = profile.depth.map_or(0, |d| depth_setup_bits(&d, &profile.vertex, &grid));

@@ -114,7 +114,7 @@ pub fn triangle_error(
 ) -> Tally {
     let mut tally = Tally::default();
     let mut drawing = Accumulators::default();
-    let Ok(grid) = model.profile().grid() else { return tally };
+    let Ok(grid) = model.profile().whole_grid() else { return tally };
     if !model.draw_own(triangle, &mut drawing) || drawing.zero_area {
         return tally;
     }

@@ -88,7 +88,7 @@ pub fn experiments() -> Experiments {
 
 fn grid(sub_pixel: u32) -> SampleGrid {
     // Without sub-pixel bits samples lie on the lattice.
-    SampleGrid { offset: [1i128 << sub_pixel >> 1; 2], sub_pixel }
+    SampleGrid::at([1i128 << sub_pixel >> 1; 2], sub_pixel)
 }
 
 /// Covered samples of a triangle as places in a square window.

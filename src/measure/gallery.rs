@@ -113,7 +113,7 @@ pub fn panel(
     (profile.multisample, profile.depth) = (None, None);
     let view = View { window: Some((size[0], size[1])), ..View::default() };
     let model = Model::with_view(&profile, view)?;
-    let grid = profile.grid()?;
+    let grid = profile.whole_grid()?;
     let truth = Truth::new(scene, &grid, model.clip(), Rule::TopLeft);
     let samples = reference_grid(&grid);
     let pixels = size[0] as usize * size[1] as usize;

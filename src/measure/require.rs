@@ -77,7 +77,7 @@ pub struct Evaluator {
 /// # Errors
 /// [`InvalidProfile`] names the violated inequality.
 pub fn require(reference: &Reference, profile: &Profile) -> Result<Requirements, InvalidProfile> {
-    let (grid, clip) = (profile.grid()?, profile.window()?);
+    let (grid, clip) = (profile.whole_grid()?, profile.window()?);
     let truth = Truth::new(reference, &grid, clip, exact_rule(&profile.form));
     let stage = Stage::new(reference, &truth, profile)?;
     let mut found = Requirements {

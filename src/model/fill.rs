@@ -77,6 +77,8 @@ impl Quick {
             && profile.form.walks_a_plane()
             && profile.traversal.is_none()
             && profile.multisample.is_none()
+            && profile.cull.is_none()
+            && profile.grid().is_ok_and(|grid| grid.is_on_the_grid())
             && !strict;
         plain.then(|| Self {
             rule: profile.form.rule(),

@@ -5,7 +5,8 @@ use crate::cover::Segment;
 use crate::machine::{DrawError, Input, WordsError};
 use crate::scene;
 use crate::setup::{
-    ClipTriangle, Coordinate, Polygon, Shape, Snapped, Triangle, VertexConfig, VertexError,
+    ClipTriangle, Coordinate, Destination, Polygon, PositionError, Shape, Snapped, Triangle,
+    VertexConfig, VertexError,
 };
 use crate::value::{ValueError, VertexValues};
 
@@ -59,6 +60,15 @@ pub enum PrimitiveError {
     /// Register words that are none.
     #[error("field `words`: {0}")]
     Words(#[from] WordsError),
+    /// A position without a place in the window.
+    #[error(transparent)]
+    Position(#[from] PositionError),
+    /// Positions for a profile without a viewport.
+    #[error(
+        "field `position`: the profile has no [viewport], which brings positions to the window; add the table, \
+         or give `v` or `f`"
+    )]
+    NoViewport,
     /// Registers for a machine that begins at vertices.
     #[error(
         "field `words`: the machine of this profile takes primitives, not registers; give `v`, `f` or another primitive"
@@ -95,6 +105,7 @@ impl Model {
         Ok(Primitive(match primitive {
             scene::Primitive::Triangle(triangle) => Kind::Triangle(self.snap(triangle)?),
             scene::Primitive::Clip(triangle) => Kind::Clip(*triangle),
+            scene::Primitive::Position(positions) => Kind::Triangle(self.position(positions)?),
             scene::Primitive::Polygon(Polygon { xy, z }) => {
                 let xy = xy.iter().map(grid).collect();
                 Kind::Polygon(self.place(Polygon { xy, z: z.clone() })?)
@@ -138,6 +149,24 @@ impl Model {
                 self.place(Triangle { xy: snapped, z: z.transpose()? })
             }
         }
+    }
+
+    /// Brings positions in clip space through the viewport to the profile's grid. Spec clauses `FP-6` to `FP-9`.
+    ///
+    /// # Errors
+    /// [`PrimitiveError`] without a viewport, for a w that is not positive, for a coordinate outside its field.
+    pub fn position(
+        &self,
+        positions: &scene::Positioned,
+    ) -> Result<Snapped<Triangle>, PrimitiveError> {
+        let viewport = self.transform.ok_or(PrimitiveError::NoViewport)?;
+        let has_depth = self.profile.depth.is_some();
+        let field = Destination {
+            vertex: &self.profile.vertex,
+            ends: self.field.range(),
+            depth_max: has_depth.then(|| self.field.depth_max()),
+        };
+        Ok(self.place(viewport.triangle(&positions.0, field)?)?)
     }
 
     /// A shape in the profile's own sub-pixels and depth codes, checked against its vertex field.

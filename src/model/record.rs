@@ -36,6 +36,8 @@ pub struct Drawing {
     pub events: EventLog,
     /// Whether the primitive had no area.
     pub zero_area: bool,
+    /// Whether the profile leaves the triangle out.
+    pub culled: bool,
 }
 
 impl Drawing {
@@ -48,6 +50,7 @@ impl Drawing {
         self.channels.iter_mut().for_each(Vec::clear);
         self.events = EventLog::default();
         self.zero_area = false;
+        self.culled = false;
     }
 
     /// The set-up values in units of their own last place.
@@ -65,7 +68,7 @@ impl Drawing {
         let numeric = Event::ALL.map(|event| (event.key(), self.events.total.count(event)));
         numeric
             .into_iter()
-            .chain([("zero_area", u64::from(self.zero_area))])
+            .chain([("zero_area", u64::from(self.zero_area)), ("culled", u64::from(self.culled))])
             .filter(|(_, count)| *count > 0)
     }
 }
@@ -81,6 +84,10 @@ impl Sink for Drawing {
 
     fn zero_area(&mut self) {
         self.zero_area = true;
+    }
+
+    fn culled(&mut self) {
+        self.culled = true;
     }
 
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {

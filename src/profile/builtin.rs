@@ -4,7 +4,7 @@ use super::Profile;
 use super::load::{ProfileError, parse};
 
 /// Name and text of each built-in profile; the first is the default.
-pub const BUILTIN: [(&str, &str); 19] = [
+pub const BUILTIN: [(&str, &str); 21] = [
     ("sgi-4k", include_str!("../../profiles/sgi-4k.toml")),
     ("sgi-4k-walk", include_str!("../../profiles/sgi-4k-walk.toml")),
     ("d3d11", include_str!("../../profiles/d3d11.toml")),
@@ -16,6 +16,8 @@ pub const BUILTIN: [(&str, &str); 19] = [
     ("vulkan-8bit-4x", include_str!("../../profiles/vulkan-8bit-4x.toml")),
     ("vulkan-4bit", include_str!("../../profiles/vulkan-4bit.toml")),
     ("vulkan-4bit-4x", include_str!("../../profiles/vulkan-4bit-4x.toml")),
+    ("nv2a", include_str!("../../profiles/nv2a.toml")),
+    ("gamecube", include_str!("../../profiles/gamecube.toml")),
     ("ps1", include_str!("../../profiles/ps1.toml")),
     ("ps1-rtl", include_str!("../../profiles/ps1-rtl.toml")),
     ("vortex", include_str!("../../profiles/vortex.toml")),

@@ -5,7 +5,7 @@ use crate::bits::Rounding;
 use crate::cover::SampleConfig;
 use crate::format::Clamp;
 use crate::machine::{Step, near};
-use crate::setup::Division;
+use crate::setup::{CullConfig, Division, Winding};
 use crate::value::{DepthBias, DepthConfig, StartBias};
 use std::fmt::Display;
 
@@ -24,6 +24,7 @@ pub fn neighbours(profile: &Profile) -> Vec<Neighbour> {
     list.depth();
     list.machine();
     list.vertex();
+    list.cull();
     list.found
 }
 
@@ -108,13 +109,31 @@ impl List<'_> {
         }
     }
 
+    fn cull(&mut self) {
+        let Some(cull) = self.profile.cull else { return };
+        let name = |winding: Option<Winding>| winding.map_or("none".to_owned(), |w| w.to_string());
+        for winding in [None].into_iter().chain(Winding::ALL.map(Some)) {
+            let changed =
+                Profile { cull: Some(CullConfig { winding, ..cull }), ..self.profile.clone() };
+            self.add("cull.winding", &name(winding), &name(cull.winding), changed);
+        }
+        if cull.largest.is_some() {
+            let changed = Profile {
+                cull: Some(CullConfig { largest: None, ..cull }),
+                ..self.profile.clone()
+            };
+            self.add("cull.largest", &"none", &"as in the profile", changed);
+        }
+    }
+
     fn vertex(&mut self) {
-        let half = 1 << self.profile.vertex.sub_pixel >> 1;
-        let SampleConfig { x, y } =
-            self.profile.sample.unwrap_or(SampleConfig { x: half, y: half });
+        let of = self.profile.sample.and_then(|sample| sample.of);
+        let half = of.unwrap_or(1 << self.profile.vertex.sub_pixel) / 2;
+        let SampleConfig { x, y, .. } =
+            self.profile.sample.unwrap_or(SampleConfig::sub_pixels(half, half));
         for (to_x, to_y) in [(0, 0), (half, half), (x + 1, y), (x, y + 1)] {
             if (to_x, to_y) != (x, y) {
-                let sample = Some(SampleConfig { x: to_x, y: to_y });
+                let sample = Some(SampleConfig { x: to_x, y: to_y, of });
                 let changed = Profile { sample, ..self.profile.clone() };
                 let [got, was] = [(to_x, to_y), (x, y)].map(|(x, y)| format!("({x}, {y})"));
                 self.add("sample", &got, &was, changed);

@@ -11,6 +11,7 @@
 //! | `point` | `[x,y]` | integers, as for `v` |
 //! | `polygon` | `[[x,y,z],...]`, three or more | integers, as for `v`, on machines that draw polygons |
 //! | `clip` | `[[X,Y,Z,W],[X,Y,Z,W],[X,Y,Z,W]]` | integers: homogeneous window coordinates, X / W in sub-pixels and Z / W in depth ULPs; on machines that take them |
+//! | `position` | `[[x,y,z,w],...]`, three | reals in clip space, on profiles with a `[viewport]` |
 //!
 //! Beside `v` and `f` there may be channels, each by the name that the profile gives it:
 //!
@@ -107,12 +108,12 @@ pub enum Fault {
     Duplicate,
     /// Nothing to draw.
     #[error(
-        "nothing to draw: exactly one of v, f, words, line, point, polygon, clip is needed, got none"
+        "nothing to draw: exactly one of v, f, words, line, point, polygon, clip, position is needed, got none"
     )]
     Nothing,
     /// Two things to draw.
     #[error(
-        "exactly one of v, f, words, line, point, polygon, clip is needed, but `{first}` is given, too"
+        "exactly one of v, f, words, line, point, polygon, clip, position is needed, but `{first}` is given, too"
     )]
     Several {
         /// The one that came before.
@@ -149,11 +150,14 @@ pub enum Fault {
     /// w without channels.
     #[error("w is given, but no `channels`; give the channels that need it, or leave it out")]
     OnlyW,
+    /// A w beside positions, which have it.
+    #[error("a position has its w; leave this out")]
+    OwnW,
     /// Channels of what has none.
-    #[error("only triangles under `v` or `f` have channels")]
+    #[error("only triangles under `v`, `f` or `position` have channels")]
     NoVertices,
     /// A depth bias of what has no depth slope.
-    #[error("only triangles under `v`, `f` or `clip` have a depth bias; leave it out")]
+    #[error("only triangles under `v`, `f`, `position` or `clip` have a depth bias; leave it out")]
     NoBias,
     /// A depth bias in a scene.
     #[error(
@@ -247,18 +251,25 @@ pub fn parse_scene(text: &str) -> Result<Vec<SceneLine>, (usize, LineError)> {
 }
 
 /// What a line may draw, then what may stand beside it.
-const KEYS: [&str; 12] =
-    ["v", "f", "words", "line", "point", "polygon", "clip", "id", "channels", "q", "w", "bias"];
+const KEYS: [&str; 13] = [
+    "v", "f", "words", "line", "point", "polygon", "clip", "position", "id", "channels", "q", "w",
+    "bias",
+];
 
 /// The keys that draw.
-const DRAWN: usize = 7;
+const DRAWN: usize = 8;
 
 /// What to draw, what its vertices bring, and the bias of its depth.
 type Asked = (Primitive, Option<Shading>, Option<DepthBias>);
 
 fn asked(members: &[(String, &RawValue)]) -> Part<Asked> {
     let primitive = primitive(members)?;
-    let shading = channels::shading(members, primitive.key())?;
+    let mut shading = channels::shading(members, primitive.key())?;
+    if let (Primitive::Position(positions), Some(Shading::Reals { w, .. })) =
+        (&primitive, &mut shading)
+    {
+        *w = Some(positions.0.map(|[.., w]| w.into()));
+    }
     let bias = bias::bias(members, primitive.key())?;
     Ok((primitive, shading, bias))
 }
@@ -295,6 +306,7 @@ fn primitive(members: &[(String, &RawValue)]) -> Part<Primitive> {
         },
         "polygon" => shape::polygon(raw).map(Primitive::Polygon),
         "clip" => shape::clip(raw).map(Primitive::Clip),
+        "position" => shape::position(raw).map(Primitive::Position),
         _ => point(raw, "point").map(Primitive::Point),
     }
 }

@@ -18,7 +18,13 @@ pub enum Primitive {
     Polygon(Polygon),
     /// `clip`: three homogeneous vertices.
     Clip(ClipTriangle),
+    /// `position`: three vertices x, y, z, w in clip space, as a vertex shader gives them.
+    Position(Positioned),
 }
+
+/// Three positions `[x, y, z, w]` in clip space, in binary32.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Positioned(pub [[f32; 4]; 3]);
 
 impl Primitive {
     /// The key it is given under.
@@ -31,6 +37,7 @@ impl Primitive {
             Self::Point(_) => "point",
             Self::Polygon(_) => "polygon",
             Self::Clip(_) => "clip",
+            Self::Position(_) => "position",
         }
     }
 
@@ -41,7 +48,7 @@ impl Primitive {
             Self::Triangle(Triangle::Real { z, .. }) => z.is_some(),
             Self::Polygon(polygon) => polygon.z.is_some(),
             Self::Clip(triangle) => triangle.z.is_some(),
-            Self::Words(_) | Self::Line(_) | Self::Point(_) => false,
+            Self::Words(_) | Self::Line(_) | Self::Point(_) | Self::Position(_) => false,
         }
     }
 }

@@ -157,16 +157,17 @@ impl Depth {
         Self { nearest: true, ..self }
     }
 
-    /// The place in a pixel at which a plane is evaluated, in sub-pixels.
+    /// The place in a pixel at which a plane is evaluated.
     #[inline]
-    pub(crate) fn place(&self, gradient: &Gradient, grid: &SampleGrid) -> [i128; 2] {
+    pub(crate) fn place(&self, gradient: &Gradient, grid: &SampleGrid) -> SampleGrid {
         if !self.nearest {
-            return grid.offset;
+            return *grid;
         }
         // From the middle of the pixel to the side that the plane falls towards.
         let half_side = 1i128 << grid.sub_pixel >> 1;
         let [x, y] = grid.offset;
-        [x - gradient.x.signum() * half_side, y - gradient.y.signum() * half_side]
+        let corner = [x - gradient.x.signum() * half_side, y - gradient.y.signum() * half_side];
+        SampleGrid::at(corner, grid.sub_pixel)
     }
 
     /// The accumulator's format.
@@ -179,10 +180,8 @@ impl Depth {
     pub fn plane(&self, triangle: &Triangle, z: [i128; 3], grid: &SampleGrid) -> Plane {
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
         let gradient = Gradient::new(triangle, z);
-        let place = self.place(&gradient, grid);
-        let plane =
-            Plane::round(&gradient, place, grid.sub_pixel, interpolation, rounding, division);
-        self.biased(plane, z)
+        let grid = self.place(&gradient, grid);
+        self.biased(grid.plane(&gradient, interpolation, rounding, division), z)
     }
 
     /// The rounded plane of a value given by its numerators at pixel (0, 0) and its slopes per
@@ -217,9 +216,8 @@ impl Depth {
             return self.start_bias();
         }
         let DepthConfig { rounding, division, interpolation, .. } = self.config;
-        let (gradient, grid) = (Gradient::new(triangle, z), (grid.offset, grid.sub_pixel));
-        let plane = Plane::round(&gradient, grid.0, grid.1, interpolation, rounding, division);
-        self.gained(&plane, z)
+        let gradient = Gradient::new(triangle, z);
+        self.gained(&grid.plane(&gradient, interpolation, rounding, division), z)
     }
 
     /// The same without a depth bias: what evaluates a value that is no depth.

@@ -398,7 +398,7 @@ fn a_profile_and_a_question_count_the_same_edge_bits() {
             for rule in FillRule::ALL {
                 for band in [0, 3, 1000] {
                     let mut changed =
-                        Profile { sample: Some(SampleConfig { x, y }), ..profile.clone() };
+                        Profile { sample: Some(SampleConfig::sub_pixels(x, y)), ..profile.clone() };
                     let width = changed.form.edge().unwrap().width;
                     let storage = EdgeStorage::Shifted;
                     changed.form = Form::EdgeFunction(
@@ -424,7 +424,7 @@ fn a_profile_and_a_question_count_the_same_edge_bits() {
     }
     assert!(checked >= 18, "{checked}");
     // 35 bits hold for every sample position, as long as the bias comes first.
-    let corner = Some(SampleConfig { x: 0, y: 0 });
+    let corner = Some(SampleConfig::sub_pixels(0, 0));
     let profile = Profile { sample: corner, ..load("sgi-4k").unwrap() };
     let proofs = prove(&Question::new(&profile, PLAIN).unwrap());
     assert_eq!(find(&proofs, "edge.stored").bits, Some(35));

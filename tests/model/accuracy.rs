@@ -363,7 +363,7 @@ fn an_integer_scene_on_its_own_grid_has_no_snap_error_and_on_a_coarser_one_has()
     // On a coarser grid, samples at the pixel's corner, odd coordinates have to move.
     let mut coarser = profile;
     coarser.vertex.sub_pixel = 0;
-    coarser.sample = Some(guardbit::cover::SampleConfig { x: 0, y: 0 });
+    coarser.sample = Some(guardbit::cover::SampleConfig::sub_pixels(0, 0));
     assert!(on(&coarser).snap.depth.ulp.worst > 0.1);
 }
 

@@ -329,7 +329,7 @@ fn places_are_grids() {
     };
     let moved = |x: u32, y: u32, pixel: [u32; 2]| {
         let mut profile = with(correction.clone(), false);
-        profile.sample = Some(SampleConfig { x, y });
+        profile.sample = Some(SampleConfig::sub_pixels(x, y));
         let run = [0, 8];
         let pixel = pixel.map(i128::from);
         [0, 1]
@@ -342,7 +342,7 @@ fn places_are_grids() {
             assert_eq!(places.next().unwrap(), moved(0, 0, [x, span.y]));
         }
     }
-    let four = MultisampleConfig { samples: 4, depth: DepthAt::Centre };
+    let four = MultisampleConfig::standard(4, DepthAt::Centre);
     let positions = [[6, 2], [14, 6], [2, 10], [10, 14]];
     let (centroid, sample) =
         (at(EvaluatedAt::Centroid, Some(four)), at(EvaluatedAt::Sample, Some(four)));

@@ -136,7 +136,7 @@ fn sizes_at_and_beyond_their_bounds() {
     (profile.vertex.integer, profile.vertex.closed) = (1, false);
     assert_eq!(profile.vertex.range(), (-128 << 1, (128 << 1) - 1));
     for (x, good) in [(0, true), (255, true), (256, false)] {
-        assert_eq!(SampleGrid::new(Some(SampleConfig { x, y: 0 }), 8).is_ok(), good);
+        assert_eq!(SampleGrid::new(Some(SampleConfig::sub_pixels(x, 0)), 8).is_ok(), good);
     }
 }
 

@@ -216,6 +216,28 @@ fn depths_found(count: u64, most: usize, seed: u64) -> u64 {
     right
 }
 
+/// Clauses ID-1 and FP-1: a sample between the sub-pixels is found, and told from its neighbours on the grid.
+#[test]
+fn a_sample_of_twelfths_is_found() {
+    let mut hidden = load("gamecube").unwrap();
+    (hidden.window.width, hidden.window.height) = WINDOW;
+    hidden.vertex = base(false).vertex;
+    hidden.vertex.sub_pixel = 4;
+    let model = Model::new(&hidden).unwrap();
+    let axes = ["sub-pixel=3,4,5", "snap=nearest-even,floor", "edge-width=exact"];
+    let axes = axes.map(|axis| Axis::parse(axis).unwrap()).to_vec();
+    let mut identifier =
+        Identifier::new(&Hypotheses::of(base(false), axes), Capture::all(0, false), 0);
+    let probes = find(&mut identifier, &model, 16, 77);
+    let left = identifier.found(usize::MAX);
+    assert!(!left.is_empty() && probes < 16, "{probes}");
+    for found in &left {
+        let Profile { vertex, sample, .. } = &found.profile;
+        let place = sample.map(|sample| (sample.x, sample.y, sample.of));
+        assert_eq!((vertex.sub_pixel, place), (4, Some((7, 7, Some(12)))), "{found:?}");
+    }
+}
+
 /// Clause ID-1: a register-level machine is found among those that differ from another in one decision, by records
 /// of what a host would write for triangles.
 #[test]

@@ -13,7 +13,7 @@ use guardbit::exact::{Point, Rational, integer, perspective_at, plane_at, ratio}
 use guardbit::setup::Triangle;
 use guardbit::value::{Interpolation, InterpolationConfig, InterpolationError, Interpolator};
 
-const GRID: SampleGrid = SampleGrid { offset: [8, 8], sub_pixel: 4 };
+const GRID: SampleGrid = SampleGrid::at([8, 8], 4);
 const WAYS: [Interpolation; 5] = [
     Interpolation::Affine,
     Interpolation::Divide,
@@ -37,7 +37,7 @@ fn real(value: &Rational) -> f64 {
 fn the_screen_midpoint_reads_a_quarter() {
     // The middle of the edge from (0, 1/2) to (16, 1/2) pixels is the corner of pixels 7 and 8; the
     // grid has a sample there with offset 0.
-    let grid = SampleGrid { offset: [0, 8], sub_pixel: 4 };
+    let grid = SampleGrid::at([0, 8], 4);
     let triangle = Triangle { xy: [[0, 8], [256, 8], [0, 200]], z: None };
     for by in WAYS {
         let made = Interpolator::new(config(by, 20), &triangle, grid, [0, 1024, 0], [1, 3, 1]);
@@ -171,7 +171,7 @@ fn derivatives_are_the_limit_of_differences() {
 /// it never does.
 #[test]
 fn centroids_stay_in_range_and_centres_do_not() {
-    let four = MultisampleConfig { samples: 4, depth: DepthAt::Centre };
+    let four = MultisampleConfig::standard(4, DepthAt::Centre);
     let grids = four.grids(4);
     let (mut outside, mut pixels) = (0, 0);
     for index in 0..800 {
@@ -198,11 +198,13 @@ fn centroids_stay_in_range_and_centres_do_not() {
             pixels += 1;
             let centre = plane_at(triangle, u, [x * 16 + 8, y * 16 + 8]).unwrap();
             outside += u32::from(centre < range.0 || centre > range.1);
-            let ([sx, sy], count) = four.centroid(mask);
-            let part = |sum: u32, pixel: i128| {
-                ratio(sum.into(), count.into()).unwrap() + integer(pixel * 16)
+            // The mean place of the covered samples.
+            let covered: Vec<_> = (0..4).filter(|n| mask >> n & 1 == 1).collect();
+            let mean = |axis: usize, pixel: i128| {
+                let sum: i128 = covered.iter().map(|n| grids[*n as usize].offset[axis]).sum();
+                ratio(sum, covered.len() as i128).unwrap() + integer(pixel * 16)
             };
-            let centroid = Point { x: part(sx, x), y: part(sy, y) };
+            let centroid = Point { x: mean(0, x), y: mean(1, y) };
             let value = plane_at(triangle, u, centroid).unwrap();
             assert!(value >= range.0 && value <= range.1, "{triangle:?} {x} {y} {mask}");
         }

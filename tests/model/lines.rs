@@ -100,7 +100,7 @@ fn diamond_exit_is_its_definition_on_toy_grids() {
     let clip = Rect { x0: 0, y0: 0, x1: 3, y1: 3 };
     let mut drawn = 0;
     for (sub_pixel, step) in [(1, 11), (2, 97)] {
-        let grid = SampleGrid { offset: [1 << (sub_pixel - 1); 2], sub_pixel };
+        let grid = SampleGrid::at([1 << (sub_pixel - 1); 2], sub_pixel);
         let side = 3 << sub_pixel;
         let points: Vec<[i128; 2]> =
             (-1..=side + 1).flat_map(|y| (-1..=side + 1).map(move |x| [x, y])).collect();
@@ -133,7 +133,7 @@ fn diamond_exit_is_its_definition_on_toy_grids() {
 /// The lectures' example under both diamond rules: one pixel apart at the tie.
 #[test]
 fn the_example_line_takes_15_13_or_15_14() {
-    let grid = SampleGrid { offset: [1, 1], sub_pixel: 1 };
+    let grid = SampleGrid::at([1, 1], 1);
     let clip = Rect { x0: 0, y0: 0, x1: 64, y1: 64 };
     let line = [[21, 21], [41, 35]];
     let d3d = plotted(LineRule::DiamondD3d, line, &grid, clip);
@@ -147,7 +147,7 @@ fn the_example_line_takes_15_13_or_15_14() {
 /// Clause L-5: sixteen pixels, the first in the lowest bit, each bit for `factor` pixels.
 #[test]
 fn patterns_repeat() {
-    let grid = SampleGrid { offset: [1, 1], sub_pixel: 1 };
+    let grid = SampleGrid::at([1, 1], 1);
     let clip = Rect { x0: 5, y0: 0, x1: 60, y1: 8 };
     let stipple = Some(Stipple { pattern: 0x00ff, factor: 2 });
     let config = LineConfig { rule: LineRule::Bresenham, stipple };
@@ -205,7 +205,7 @@ fn marching_touches_every_cell_of_every_toy_segment() {
 /// Clause L-7: samples in the rectangle by their distance and projection as rationals.
 #[test]
 fn wide_lines_cover_by_distance() {
-    let grid = SampleGrid { offset: [2, 2], sub_pixel: 2 };
+    let grid = SampleGrid::at([2, 2], 2);
     let clip = Rect { x0: 0, y0: 0, x1: 8, y1: 8 };
     let (mut inside, mut on_side) = (0, 0);
     for index in 0..600 {
@@ -240,7 +240,7 @@ fn wide_lines_cover_by_distance() {
 /// Clause L-8: pixels, squares and disks, sample by sample.
 #[test]
 fn points_cover_what_they_are_defined_to() {
-    let grid = SampleGrid { offset: [2, 2], sub_pixel: 2 };
+    let grid = SampleGrid::at([2, 2], 2);
     let clip = Rect { x0: 0, y0: 0, x1: 6, y1: 6 };
     let mut rims = 0;
     for point in (0..=24).flat_map(|x| (0..=24).map(move |y| [x, y])) {
@@ -312,7 +312,7 @@ fn circles_are_nearest_and_complete() {
 /// Clause L-9: a line across the whole vertex field costs what a small window holds of it.
 #[test]
 fn long_lines_cost_their_window() {
-    let grid = SampleGrid { offset: [128, 128], sub_pixel: 8 };
+    let grid = SampleGrid::at([128, 128], 8);
     let clip = Rect { x0: 0, y0: 0, x1: 16, y1: 16 };
     let far = 1i128 << 31;
     let begin = std::time::Instant::now();

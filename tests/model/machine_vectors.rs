@@ -181,7 +181,7 @@ fn several_samples_have_golden_sets() {
     for (depth, columns) in [(DepthAt::Centre, 4), (DepthAt::Sample, 5)] {
         let mut profile = load("sgi-4k").unwrap();
         profile.window = WindowConfig { width: 128, height: 128 };
-        profile.multisample = Some(MultisampleConfig { samples: 4, depth });
+        profile.multisample = Some(MultisampleConfig::standard(4, depth));
         write(folder, &profile);
         let first = |file: &str| {
             let text = std::fs::read_to_string(folder.join("set").join(file)).unwrap();

@@ -458,7 +458,7 @@ fn set_up_values_count_the_units_of_their_columns() {
     for kind in triangle_machines() {
         for depth in depth_at.into_iter().chain([None]) {
             let mut profile = load("sgi-4k").unwrap().with_machine(kind.name).unwrap();
-            profile.multisample = depth.map(|depth| MultisampleConfig { samples: 4, depth });
+            profile.multisample = depth.map(|depth| MultisampleConfig::standard(4, depth));
             if profile.validate().is_err() {
                 continue;
             }

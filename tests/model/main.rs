@@ -35,5 +35,7 @@ mod property;
 mod proved_depth;
 mod rasterizers;
 mod require;
+mod samples;
 mod snapshot;
 mod toy;
+mod viewport;

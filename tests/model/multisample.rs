@@ -44,7 +44,7 @@ fn profile(samples: u32, depth: DepthAt, rule: FillRule) -> Profile {
     let mut profile = load("sgi-4k").unwrap();
     profile.window = WindowConfig { width: 5, height: 4 };
     profile.vertex.sub_pixel = 4;
-    profile.multisample = Some(MultisampleConfig { samples, depth });
+    profile.multisample = Some(MultisampleConfig::standard(samples, depth));
     profile.form.edge_mut().unwrap().rule = rule;
     profile
 }
@@ -160,7 +160,7 @@ fn extrapolation_to_the_centre_wraps_below_a_third_of_a_pixel() {
         drawing.events.total.count(Event::Wrap)
     };
     for (at, below, above) in [(DepthAt::Centre, 1, 0), (DepthAt::Sample, 0, 0)] {
-        profile.multisample = Some(MultisampleConfig { samples: 16, depth: at });
+        profile.multisample = Some(MultisampleConfig::standard(16, at));
         assert_eq!(wraps(&profile, 1024 / 3 - 12), below, "{at:?}");
         assert_eq!(wraps(&profile, 1024 / 3 + 12), above, "{at:?}");
     }
@@ -172,7 +172,7 @@ fn eval_answers_masks() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("four.toml");
     let mut four = load("d3d11").unwrap();
-    four.multisample = Some(MultisampleConfig { samples: 4, depth: DepthAt::Centre });
+    four.multisample = Some(MultisampleConfig::standard(4, DepthAt::Centre));
     std::fs::write(&path, four.to_toml()).unwrap();
     let mut child = Command::new(env!("CARGO_BIN_EXE_guardbit"))
         .args(["eval", path.to_str().unwrap()])
@@ -199,7 +199,7 @@ fn positions_off_the_grid_and_other_counts_are_refused() {
     assert!(text.contains("samples = 3"), "{text}");
     let text = refused(&|p| p.vertex.sub_pixel = 3);
     assert!(text.contains("sub-pixel = 3 < 4"), "{text}");
-    let text = refused(&|p| p.sample = Some(guardbit::cover::SampleConfig { x: 1, y: 1 }));
+    let text = refused(&|p| p.sample = Some(guardbit::cover::SampleConfig::sub_pixels(1, 1)));
     assert!(text.contains("[sample]"), "{text}");
     let text = refused(&|p| *p = p.with_machine("gouraud").unwrap());
     assert!(text.contains("gouraud"), "{text}");

@@ -13,7 +13,7 @@ use guardbit::model::{Drawing, Model};
 use guardbit::profile::{WindowConfig, load};
 use guardbit::setup::{Diagonal, Polygon};
 
-const GRID: SampleGrid = SampleGrid { offset: [1, 1], sub_pixel: 1 };
+const GRID: SampleGrid = SampleGrid::at([1, 1], 1);
 const CLIP: Rect = Rect { x0: 0, y0: 0, x1: 6, y1: 6 };
 
 /// Hits of each pixel; runs come in order and do not overlap.

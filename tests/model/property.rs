@@ -31,7 +31,7 @@ fn base(sub_pixel: u32, offset: [u32; 2]) -> Profile {
     profile.vertex.integer = 6;
     profile.vertex.sub_pixel = sub_pixel;
     profile.vertex.signed = true;
-    profile.sample = Some(SampleConfig { x: offset[0], y: offset[1] });
+    profile.sample = Some(SampleConfig::sub_pixels(offset[0], offset[1]));
     profile
 }
 

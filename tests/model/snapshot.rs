@@ -184,7 +184,7 @@ fn set_up_words_of_machines() {
 
 /// Sixteen lines out of the middle of a window, some through ties, by one rule.
 fn star(config: LineConfig) -> String {
-    let grid = SampleGrid { offset: [2, 2], sub_pixel: 2 };
+    let grid = SampleGrid::at([2, 2], 2);
     let clip = Rect { x0: 0, y0: 0, x1: 33, y1: 33 };
     let mut cells = vec![vec!['.'; 33]; 33];
     let ends: [[i128; 2]; 8] =

@@ -20,3 +20,10 @@ rule = "top-left"
 storage = "shifted"
 width = 24
 "#;
+
+/// A profile of text.
+pub(crate) fn parse(
+    text: &str,
+) -> Result<guardbit::profile::Profile, guardbit::profile::ProfileError> {
+    guardbit::profile::parse(text, "toy.toml")
+}

@@ -81,7 +81,7 @@ fn snapped(
     }
     let reference = Reference::new(scene.clone(), &profile);
     let (grid, clip) =
-        (profile.grid().map_err(Failure::input)?, profile.window().map_err(Failure::input)?);
+        (profile.whole_grid().map_err(Failure::input)?, profile.window().map_err(Failure::input)?);
     let truth = Truth::new(&reference, &grid, clip, exact_rule(&profile.form));
     let stage = Stage::new(&reference, &truth, &profile).map_err(Failure::input)?;
     let depth = stage.snap.report().depth;

@@ -42,6 +42,10 @@ impl Sink for Limited<'_> {
         self.drawing.zero_area();
     }
 
+    fn culled(&mut self) {
+        self.drawing.culled();
+    }
+
     fn span(&mut self, y: u32, x0: u32, x1: u32, depth: &[u64]) {
         if self.keep(3 + depth.len()) {
             self.drawing.span(y, x0, x1, depth);

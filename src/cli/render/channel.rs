@@ -104,7 +104,7 @@ pub(super) fn draw_errors(
 ) -> Result<String, Failure> {
     let profile = model.profile();
     let reference = Reference::new(scene::load(source, &model.viewport())?, profile);
-    let (grid, clip) = (profile.grid().map_err(Failure::input)?, model.clip());
+    let (grid, clip) = (profile.whole_grid().map_err(Failure::input)?, model.clip());
     let truth = Truth::new(&reference, &grid, clip, exact_rule(&profile.form));
     let stage = Stage::new(&reference, &truth, profile).map_err(Failure::input)?;
     let inspector = Inspector::new(&stage, profile).map_err(Failure::input)?;

@@ -27,7 +27,7 @@ impl Walk {
         // Half sub-pixels: centres are on the grid even for s = 0.
         let [a, b] = ends.map(|p| p.map(|n| 2 * n));
         let [top, bottom] = if a[1] <= b[1] { [a, b] } else { [b, a] };
-        let grid = SampleGrid { offset: [1 << s; 2], sub_pixel: s + 1 };
+        let grid = SampleGrid::at([1 << s; 2], s + 1);
         let config = EdgeWalkConfig { guard: 1, integer: 12, fraction, rounding };
         let edge = config.edge(top, bottom, &grid)?;
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);

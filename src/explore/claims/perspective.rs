@@ -12,7 +12,7 @@ use crate::setup::{Triangle, edges};
 use crate::value::{Interpolation, InterpolationConfig, Interpolator};
 
 /// Samples on the vertices' lattice, without sub-pixels.
-const GRID: SampleGrid = SampleGrid { offset: [0, 0], sub_pixel: 0 };
+const GRID: SampleGrid = SampleGrid::at([0, 0], 0);
 /// Sides of the toy triangles' window.
 const SIDE: i128 = 3;
 

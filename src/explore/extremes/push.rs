@@ -56,7 +56,7 @@ impl Grid {
         let (low, high) = profile.vertex.range();
         let size = [profile.window.width, profile.window.height].map(i128::from);
         let half = i128::from(1u32 << profile.vertex.sub_pixel >> 1);
-        let offset = profile.sample.map_or([half; 2], |s| [s.x, s.y].map(i128::from));
+        let offset = profile.grid().map_or([half; 2], |grid| grid.offset);
         let last = [0, 1].map(|axis| (size[axis] - 1) * pixel + offset[axis]);
         Self {
             vertex: profile.vertex,

@@ -72,7 +72,8 @@ impl Field {
     /// To another grid: a sample that a profile places stays where it is in its pixel.
     fn move_sample(self, profile: &mut Profile, to: u32) -> Result<(), FieldError> {
         let from = profile.vertex.sub_pixel;
-        let Some(SampleConfig { x, y }) = profile.sample else { return Ok(()) };
+        // A place in parts of a pixel of its own is the same on any grid.
+        let Some(SampleConfig { x, y, of: None }) = profile.sample else { return Ok(()) };
         let moved = [x, y].map(|value| {
             let scaled = u64::from(value) << to.min(32);
             (scaled.trailing_zeros() >= from || value == 0).then_some(scaled >> from)
@@ -84,7 +85,7 @@ impl Field {
                 expected: format!("the sample at ({x}, {y}) / 2^{from} is not on that grid"),
             });
         };
-        profile.sample = Some(SampleConfig { x, y });
+        profile.sample = Some(SampleConfig::sub_pixels(x, y));
         Ok(())
     }
 }

@@ -32,7 +32,7 @@ impl<'a> Deep<'a> {
             return None;
         }
         let triangle = triangle.normalised();
-        Some(Self { root, z: triangle.z?, grid: profile.grid().ok()?, triangle })
+        Some(Self { root, z: triangle.z?, grid: profile.whole_grid().ok()?, triangle })
     }
 
     /// The codes at pixels; none where these words cannot be.

@@ -2,7 +2,7 @@
 //! Spec clauses `ID-1` and `ID-3`.
 
 use crate::bits::Rounding;
-use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig};
+use crate::cover::{EdgeStorage, EdgeWordConfig, FillRule, SampleConfig, SampleGrid};
 use crate::explore::field::{Field, Value};
 use crate::explore::space::Axis;
 use crate::model::Model;
@@ -11,8 +11,10 @@ use crate::setup::Division;
 use crate::value::{DepthConfig, StartBias};
 use std::collections::BTreeSet;
 
-/// Parts of a pixel at which samples are tried, on each axis.
+/// Parts of a pixel at which samples are tried, on each axis, where they are on the grid of the vertices.
 const PARTS: u32 = 8;
+/// Other places `[x, y, of]` that real rasterizers have, on the grid or not.
+const PLACES: [[u32; 3]; 3] = [[7, 7, 12], [7, 7, 16], [9, 9, 16]];
 /// The most sub-pixel bits that are tried.
 const MOST_SUB_PIXEL: u32 = 12;
 /// The fewest bits of an edge word that are tried.
@@ -134,16 +136,17 @@ impl Hypotheses {
             profile.vertex.snap = *snap;
             Some(("snap".to_owned(), snap.to_string()))
         });
-        profiles = product(profiles, &Self::samples(), |at, profile| {
-            let place = at.map(|part| {
-                let scaled = u64::from(part) << profile.vertex.sub_pixel;
-                (scaled % u64::from(PARTS) == 0).then_some(scaled / u64::from(PARTS))
-            });
-            let [Some(x), Some(y)] = place.map(|p| p.and_then(|p| u32::try_from(p).ok())) else {
+        profiles = product(profiles, &Self::samples(), |[x, y, of], profile| {
+            let grid = SampleGrid::among([*x, *y], *of, profile.vertex.sub_pixel);
+            profile.sample = Some(if grid.is_on_the_grid() {
+                let [x, y] = grid.offset.map(|place| u32::try_from(place).ok());
+                SampleConfig::sub_pixels(x?, y?)
+            } else if *of == PARTS {
                 return None;
-            };
-            profile.sample = Some(SampleConfig { x, y });
-            let [x, y] = at.map(part);
+            } else {
+                SampleConfig { x: *x, y: *y, of: Some(*of) }
+            });
+            let [x, y] = [x, y].map(|part| self::part(*part, *of));
             Some(("sample".to_owned(), format!("({x}, {y}) of a pixel")))
         });
         let with_edges = profiles.iter().any(|(_, profile)| profile.form.edge().is_some());
@@ -185,11 +188,12 @@ impl Hypotheses {
         roots
     }
 
-    /// The sample positions that are tried, in parts of a pixel; that of a base profile that places its sample
-    /// elsewhere is not among them.
-    fn samples() -> Vec<[u32; 2]> {
+    /// The sample positions `[x, y, of]` that are tried; that of a base profile that places its sample elsewhere
+    /// is not among them.
+    fn samples() -> Vec<[u32; 3]> {
         let all = 0..PARTS;
-        all.clone().flat_map(|y| all.clone().map(move |x| [x, y])).collect()
+        let eighths = all.clone().flat_map(|y| all.clone().map(move |x| [x, y, PARTS]));
+        eighths.chain(PLACES).collect()
     }
 
     /// The words of depth that are thought of; none where the base has no depth.
@@ -294,15 +298,13 @@ fn root((fields, mut profile): Described) -> Option<Root> {
     Some(Root { fields, inside: true, model, words })
 }
 
-/// A part of a pixel, as people write it.
-fn part(part: u32) -> String {
-    match (part, PARTS) {
-        (0, _) => "0".to_owned(),
-        (part, parts) => {
-            let twos = part.trailing_zeros().min(parts.trailing_zeros());
-            format!("{}/{}", part >> twos, parts >> twos)
-        }
+/// A part of a pixel, as people write it: of eighths in lowest terms.
+fn part(part: u32, of: u32) -> String {
+    if part == 0 {
+        return "0".to_owned();
     }
+    let twos = part.trailing_zeros().min(of.trailing_zeros());
+    format!("{}/{}", part >> twos, of >> twos)
 }
 
 impl Root {

@@ -5,7 +5,7 @@ use super::deep::Deep;
 use super::narrow::Boxed;
 use super::{Identifier, Left, Picture};
 use crate::case::Words;
-use crate::cover::EdgeWordConfig;
+use crate::cover::{EdgeWordConfig, SampleConfig};
 use crate::model::Model;
 use crate::scene::{Primitive, Triangle};
 use crate::value::DepthConfig;
@@ -162,9 +162,10 @@ impl Identifier {
         let profile = of.root.model.profile();
         let bits = profile.vertex.sub_pixel;
         let unit = f64::from(2u32).powi(-i32::try_from(bits).unwrap_or(0));
-        let [sx, sy] = profile
-            .sample
-            .map_or([0.5, 0.5], |at| [f64::from(at.x) * unit, f64::from(at.y) * unit]);
+        let [sx, sy] = profile.sample.map_or([0.5, 0.5], |SampleConfig { x, y, of }| {
+            let part = of.map_or(unit, |of| 1.0 / f64::from(of));
+            [x, y].map(|place| f64::from(place) * part)
+        });
         // Large triangles tell edge words apart; small ones everything else, and are quick.
         let large = round > 0 || words.draw().is_multiple_of(4) || self.left.len() <= 2;
         let reach = |size: u32| f64::from(if large { size } else { size.min(12) });

@@ -130,7 +130,7 @@ impl Question {
         }
         let (low, high) = profile.vertex.range();
         let vertices = within.unwrap_or([[low; 2], [high; 2]]);
-        let grid = profile.grid().map_err(InvalidProfile::from)?;
+        let grid = profile.whole_grid().map_err(InvalidProfile::from)?;
         let w_ratio = overrides.w_ratio.unwrap_or(W_RATIO).max(1);
         Ok(Self { profile, origin: [0; 2], vertices, w_ratio, grid })
     }
@@ -169,6 +169,8 @@ impl Question {
             about: String::new(),
             window: WindowConfig { width: side, height: side },
             vertex,
+            viewport: None,
+            cull: None,
             sample: None,
             multisample: None,
             form: EdgeFunctionConfig(EdgeWordConfig {
@@ -286,11 +288,11 @@ fn set_sub_pixel(profile: &mut Profile, sub_pixel: u32) -> Result<(), QuestionEr
     }
     // A named sample keeps its place in the pixel; one that is not on the new grid is refused by
     // the profile's own check.
-    if let Some(SampleConfig { x, y }) = profile.sample {
+    if let Some(SampleConfig { x, y, of: None }) = profile.sample {
         let moved = |at: u32| (u64::from(at) << sub_pixel >> before, u64::from(at) << sub_pixel);
         let exact = [x, y].iter().all(|at| moved(*at).0 << before == moved(*at).1);
         let to = |at| if exact { u32::try_from(moved(at).0).unwrap_or(u32::MAX) } else { u32::MAX };
-        profile.sample = Some(SampleConfig { x: to(x), y: to(y) });
+        profile.sample = Some(SampleConfig::sub_pixels(to(x), to(y)));
     }
     Ok(())
 }

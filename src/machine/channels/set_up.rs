@@ -34,10 +34,13 @@ enum Component {
 }
 
 impl SetUp {
-    /// The edge function opposite each vertex, times its 1/w.
-    fn weights(&self, [x, y]: [i128; 2]) -> [i128; 3] {
+    /// The edge function opposite each vertex at pixel (x, y) of a grid, times its 1/w: only their ratios
+    /// count, so parts of a sub-pixel are as good a unit.
+    fn weights(&self, grid: &SampleGrid, x: u32, y: u32) -> [i128; 3] {
+        let [x, y] = grid.position_in_parts(x.into(), y.into());
+        let at = |edge: &EdgeCoefficients| edge.a * x + edge.b * y + edge.c * grid.parts;
         // Opposite v0 lies the edge from v1 to v2.
-        let part = |k: usize, n: usize| self.edges[k].at(x, y) * self.q[n];
+        let part = |k: usize, n: usize| at(&self.edges[k]) * self.q[n];
         [part(1, 0), part(2, 1), part(0, 2)]
     }
 
@@ -143,7 +146,7 @@ impl Channel {
         scratch.lines.clear();
         if matches!(components[..], [Component::Weighed(_), ..]) {
             let weights = (x0..x1).map(|x| {
-                let weights = set_up.weights(at.grid.position(x.into(), y.into()));
+                let weights = set_up.weights(&at.grid, x, y);
                 self.corrector.coordinates(weights)
             });
             scratch.coordinates.clear();
@@ -245,7 +248,7 @@ impl Channel {
         let words = |component: &Component| match component {
             Component::Flat(_) => ComponentWords::Flat,
             Component::Weighed(_) => {
-                let weights = set_up.weights(at.grid.position(x.into(), y.into()));
+                let weights = set_up.weights(&at.grid, x, y);
                 ComponentWords::Weighed(self.corrector.coordinates(weights))
             }
             Component::Carried(carried) => {

@@ -3,6 +3,7 @@
 use super::set_up::{Scratch, SetUp};
 use super::{Channels, Places};
 use crate::bits::SpanEvents;
+use crate::cover::SampleGrid;
 use crate::format::Unreduced;
 use crate::machine::{Sink, Work};
 
@@ -98,10 +99,15 @@ impl Channels {
         if mask.count_ones() == count {
             return centre;
         }
+        // A unit that holds every place whole.
+        let unit = SampleGrid::common_parts(&self.grids);
         let middle = self.grids[centre].offset;
         let far = |n: &u32| {
-            let offset = self.grids[samples + *n as usize].offset;
-            (0..2).map(|axis| (offset[axis] - middle[axis]).pow(2)).sum::<i128>()
+            let grid = &self.grids[samples + *n as usize];
+            let apart = |axis: usize| {
+                (grid.offset[axis] - middle[axis]) * unit + grid.part[axis] * (unit / grid.parts)
+            };
+            (0..2).map(|axis| apart(axis).pow(2)).sum::<i128>()
         };
         let covered = (0..count).filter(|n| mask >> n & 1 == 1);
         samples + covered.min_by_key(far).unwrap_or_default() as usize

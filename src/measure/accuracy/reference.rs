@@ -169,7 +169,7 @@ pub struct Truth {
 /// Sample positions on the reference grid.
 pub(in crate::measure) fn reference_grid(grid: &SampleGrid) -> SampleGrid {
     let up = REFERENCE_BITS - grid.sub_pixel;
-    SampleGrid { offset: grid.offset.map(|value| value << up), sub_pixel: REFERENCE_BITS }
+    SampleGrid::at(grid.offset.map(|value| value << up), REFERENCE_BITS)
 }
 
 impl Truth {

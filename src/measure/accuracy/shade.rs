@@ -38,9 +38,9 @@ fn grid(stage: &Stage, at: EvaluatedAt) -> SampleGrid {
     match at {
         EvaluatedAt::Sample => stage.grid,
         EvaluatedAt::Centre | EvaluatedAt::Centroid => {
-            SampleGrid { offset: [1 << sub_pixel >> 1; 2], sub_pixel }
+            SampleGrid::at([1 << sub_pixel >> 1; 2], sub_pixel)
         }
-        EvaluatedAt::Corner => SampleGrid { offset: [0; 2], sub_pixel },
+        EvaluatedAt::Corner => SampleGrid::at([0; 2], sub_pixel),
     }
 }
 

@@ -88,8 +88,11 @@ impl Stage {
         if profile.conservative().is_some() {
             return Err(InvalidProfile::Squares);
         }
+        if profile.cull.is_some() {
+            return Err(InvalidProfile::Culled);
+        }
         let model = Model::new(profile)?;
-        let (grid, clip) = (profile.grid()?, profile.window()?);
+        let (grid, clip) = (profile.whole_grid()?, profile.window()?);
         let world = World::new(profile.depth_max(), reference.lens);
         let mut stage = Self {
             grid,

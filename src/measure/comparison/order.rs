@@ -195,7 +195,7 @@ fn float(value: u32) -> f32 {
 /// Depth as a binary32 accumulator reads it, triangle by triangle in the order of y then x.
 fn float_depths(profile: &Profile, faces: &[Face], traversal: Option<TraversalConfig>) -> Vec<u64> {
     let (Some(edges), Ok(grid), Ok(clip), Some(traversal)) =
-        (profile.form.edge(), profile.grid(), profile.window(), traversal)
+        (profile.form.edge(), profile.whole_grid(), profile.window(), traversal)
     else {
         return Vec::new();
     };

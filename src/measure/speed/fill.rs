@@ -59,7 +59,7 @@ fn triangles(model: &Model, side: i64, count: u64) -> Vec<Snapped<Triangle>> {
 /// A plain loop: three edge functions and a depth plane, added up from pixel to pixel in 64 bits.
 fn plainly(profile: &Profile, triangle: &Triangle, raster: &mut PlainRaster, deep: bool) {
     let triangle = triangle.normalised();
-    let (Ok(grid), Ok(clip), Some(z)) = (profile.grid(), profile.window(), triangle.z) else {
+    let (Ok(grid), Ok(clip), Some(z)) = (profile.whole_grid(), profile.window(), triangle.z) else {
         return;
     };
     let Some(depth) = crate::measure::accuracy::depth_of(profile) else { return };

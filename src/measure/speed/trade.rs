@@ -123,7 +123,7 @@ fn stations(size: u32) -> impl Iterator<Item = u32> + Clone {
 
 /// Compares the lane's word at samples all over the window with the exact plane, as integers.
 fn error<L: Lane>(read: ReadOut, decode: Decode<L>) -> Error {
-    let grid = SampleGrid { offset: [1 << (SUB_PIXEL - 1); 2], sub_pixel: SUB_PIXEL };
+    let grid = SampleGrid::at([1 << (SUB_PIXEL - 1); 2], SUB_PIXEL);
     let (mut worst, mut squares, mut count) = (0.0f64, 0.0, 0.0);
     for (xy, z) in PLANES {
         let triangle = Triangle { xy, z: Some(z) };

@@ -11,7 +11,7 @@ use crate::value::DepthBias;
 pub(super) fn bias(members: &[(String, &RawValue)], key: &str) -> Part<Option<DepthBias>> {
     let Some((_, raw)) = members.iter().find(|(key, _)| key == "bias") else { return Ok(None) };
     let place = || "bias".to_owned();
-    if !matches!(key, "v" | "f" | "clip") {
+    if !matches!(key, "v" | "f" | "position" | "clip") {
         return Err((place(), Fault::NoBias));
     }
     let terms = object::members(raw.get()).map_err(|(_, fault)| (place(), fault))?;

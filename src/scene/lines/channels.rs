@@ -14,6 +14,9 @@ pub(super) fn shading(members: &[(String, &RawValue)], key: &str) -> Part<Option
     match key {
         "v" if w.is_some() => other("w", Fault::OtherW { need: "q", key: "v" }),
         "f" if q.is_some() => other("q", Fault::OtherW { need: "w", key: "f" }),
+        "position" if q.is_some() || w.is_some() => {
+            other(if q.is_some() { "q" } else { "w" }, Fault::OwnW)
+        }
         "v" | "f" if channels.is_none() && (q.is_some() || w.is_some()) => {
             other(if q.is_some() { "q" } else { "w" }, Fault::OnlyW)
         }
@@ -23,7 +26,7 @@ pub(super) fn shading(members: &[(String, &RawValue)], key: &str) -> Part<Option
             let inverse_w = q.map(|raw| three(raw, "q", integer)).transpose()?;
             Ok(Some(Shading::Codes { channels, inverse_w }))
         }
-        "f" => {
+        "f" | "position" => {
             let Some(raw) = channels else { return Ok(None) };
             let channels = named(raw, real)?;
             let w = w.map(|raw| three(raw, "w", real)).transpose()?;

@@ -2,8 +2,9 @@
 
 use serde_json::value::RawValue;
 
-use super::number::{integer, list, triple};
+use super::number::{integer, list, real, triple};
 use super::{Fault, Part, count};
+use crate::scene::Positioned;
 use crate::setup::{ClipTriangle, Polygon};
 
 /// Three or more vertices, z for all or none.
@@ -27,6 +28,29 @@ pub(super) fn polygon(raw: &RawValue) -> Part<Polygon> {
     }
     polygon.z = (!depths.is_empty()).then_some(depths);
     Ok(polygon)
+}
+
+/// Three vertices `[x, y, z, w]` of reals, rounded to binary32.
+pub(super) fn position(raw: &RawValue) -> Part<Positioned> {
+    let corners = list(raw, "position")?;
+    if corners.len() != 3 {
+        return Err(count("position", "3 vertices are needed", corners.len()));
+    }
+    let mut positions = [[0.0; 4]; 3];
+    for (n, corner) in corners.into_iter().enumerate() {
+        let field = format!("position[{n}]");
+        let values = list(corner, &field)?;
+        if values.len() != 4 {
+            return Err(count(&field, "4 coordinates x, y, z, w are needed", values.len()));
+        }
+        for (k, raw) in values.into_iter().enumerate() {
+            let value = real(raw, &format!("{field}[{k}]"))?;
+            #[expect(clippy::cast_possible_truncation, reason = "a position is binary32")]
+            let value = value as f32;
+            positions[n][k] = value;
+        }
+    }
+    Ok(Positioned(positions))
 }
 
 /// Three vertices `[X, Y, W]` or `[X, Y, Z, W]`, alike.

@@ -76,7 +76,7 @@ impl WalkBench {
     /// The bench of this kind, or `None` if the profile has no such stepper.
     pub fn new(kind: WalkKind, source: &Source) -> Option<Self> {
         let profile = &source.profile;
-        let grid = profile.grid().ok()?;
+        let grid = profile.whole_grid().ok()?;
         let depth = depth_of(profile);
         let read = read_out(kind, profile)?;
         let mut directed = match kind {

@@ -37,24 +37,22 @@ impl SetUp {
         let plane = depth.plane(&triangle, z, &grid);
         let fraction = depth.read_out().fraction();
         let scale = grid.sub_pixel + fraction;
-        let ([x0, y0], z0) = gradient.anchor;
-        let [x, y] = depth.place(&gradient, &grid);
-        let start = z0 * gradient.area2 + gradient.x * (x - x0) + gradient.y * (y - y0);
+        let ([start, x, y], whole) = depth.place(&gradient, &grid).numerators(&gradient);
         for (role, numerator) in [
             (Role::DEPTH_INIT, start << fraction),
-            (Role::DEPTH_DX, gradient.x << scale),
-            (Role::DEPTH_DY, gradient.y << scale),
+            (Role::DEPTH_DX, x << scale),
+            (Role::DEPTH_DY, y << scale),
         ] {
             let magnitude = numerator.unsigned_abs();
-            let divisor = gradient.area2.unsigned_abs();
+            let divisor = whole.unsigned_abs();
             if 2 * (magnitude % divisor) == divisor {
                 let sign = if numerator < 0 { "negative" } else { "positive" };
                 let quotient = (magnitude / divisor) & 3;
                 met.meet(&format!("tie.{}.{sign}.q{quotient}", role.pattern));
             }
         }
-        let rest = (gradient.x << scale).rem_euclid(gradient.area2);
-        let remainder = match (rest, (2 * rest).cmp(&gradient.area2)) {
+        let rest = (x << scale).rem_euclid(whole);
+        let remainder = match (rest, (2 * rest).cmp(&whole)) {
             (0, _) => 0,
             (_, Ordering::Less) => 1,
             (_, Ordering::Equal) => 2,
@@ -73,7 +71,7 @@ pub(in crate::vector) fn setup_words(model: &Model, triangle: &Triangle) -> Vec<
     // its own bits all the same.
     let mut words = drawing.raw_setup();
     words.resize(model.ports().setup.len(), 0);
-    words.push(i128::from(drawing.zero_area));
+    words.push(i128::from(drawing.zero_area || drawing.culled));
     words
 }
 

@@ -1,6 +1,6 @@
 //! What a reference is written of: how a profile covers samples, its depth, its samples in a pixel.
 
-use crate::cover::{DepthAt, EdgeStorage, EdgeWordConfig, FillRule};
+use crate::cover::{DepthAt, EdgeStorage, EdgeWordConfig, FillRule, SampleGrid};
 use crate::format::{Clamp, ReadOut};
 use crate::machine::EdgeWalkConfig;
 use crate::profile::Profile;
@@ -51,7 +51,18 @@ impl Shape {
         if let Some(depth) = &profile.depth {
             check(depth)?;
         }
+        if profile.cull.is_some() {
+            return Err("[cull] is given, and the texts draw every triangle with area".to_owned());
+        }
         let grid = profile.grid().map_err(|error| error.to_string())?;
+        let several = profile.multisample.map_or_else(Vec::new, |all| all.grids(grid.sub_pixel));
+        if !several.iter().chain([&grid]).all(SampleGrid::is_on_the_grid) {
+            return Err("samples lie between the sub-pixels, and the texts take them on the grid"
+                .to_owned());
+        }
+        if profile.multisample.is_some_and(|all| all.mask.is_some()) {
+            return Err("the profile has a sample mask, and the texts draw every sample".to_owned());
+        }
         let (mut samples, mut centre) = (vec![grid.offset], None);
         if let Some(config) = &profile.multisample {
             if walk.is_some() {

@@ -98,7 +98,16 @@ fn setup(profile: &Profile) -> Result<SetupParameters, String> {
         let reason = "coverage is conservative: triangle_setup sets up samples, and adds no offset for squares";
         return Err(reason.to_owned());
     }
+    if profile.cull.is_some() {
+        return Err("[cull] is given: triangle_setup leaves out no triangle with area".to_owned());
+    }
     let grid = profile.grid().map_err(|error| error.to_string())?;
+    if !grid.is_on_the_grid() {
+        return Err(
+            "samples lie between the sub-pixels, and triangle_setup takes them on the grid"
+                .to_owned(),
+        );
+    }
     let vertex = &profile.vertex;
     Ok(SetupParameters {
         signed: vertex.signed,

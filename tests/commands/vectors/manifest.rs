@@ -184,7 +184,7 @@ fn profiles_of_every_column() -> Vec<Profile> {
         list.push(small("sgi-4k").with_machine(kind.name).unwrap());
     }
     for depth in [DepthAt::Centre, DepthAt::Sample] {
-        let multisample = Some(MultisampleConfig { samples: 4, depth });
+        let multisample = Some(MultisampleConfig::standard(4, depth));
         list.push(Profile { multisample, ..small("sgi-4k") });
     }
     list

@@ -232,8 +232,7 @@ fn details_that_cannot_be_are_refused() {
     };
     let [_, flat, .., constant] = corrections();
     let places = "one place in a pixel";
-    let four =
-        guardbit::cover::MultisampleConfig { samples: 4, depth: guardbit::cover::DepthAt::Centre };
+    let four = guardbit::cover::MultisampleConfig::standard(4, guardbit::cover::DepthAt::Centre);
     let cases: [(Change<'_>, &str); 6] = [
         (&|p| p.channel[0].components.truncate(1), "components = 1, but a texture has 2"),
         (&|p| (p.w, p.channel[0].correction) = (None, flat.clone()), places),

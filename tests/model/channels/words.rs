@@ -66,7 +66,7 @@ fn compare(model: &Model, case: &Case, turned: [[i128; 3]; 2], drawing: &Drawing
 /// Clauses CH-2, CH-3, CH-5, CH-6 and CH-7: on every machine and at every place, the words behind a code make that code.
 #[test]
 fn the_words_behind_a_code_make_it() {
-    let four = MultisampleConfig { samples: 4, depth: DepthAt::Centre };
+    let four = MultisampleConfig::standard(4, DepthAt::Centre);
     let places = [EvaluatedAt::Centre, EvaluatedAt::Centroid, EvaluatedAt::Sample];
     let mut seen = 0;
     for (n, correction) in corrections().into_iter().enumerate() {

@@ -54,7 +54,7 @@ impl Quads {
                 })
             }
             Source::Vertices { vertices, range, signed } => {
-                let SampleGrid { offset, sub_pixel } = self.target.grid;
+                let SampleGrid { offset, sub_pixel, .. } = self.target.grid;
                 let whole = |gather: &Gather| gather.unsigned(words).cast_signed();
                 let read = |gather: &Gather| {
                     if *signed { gather.signed(words) } else { whole(gather) }
