@@ -5,7 +5,7 @@ use super::failure::Failure;
 use super::output::Output;
 use super::{sets, wave};
 use guardbit::format::Column;
-use guardbit::profile;
+use guardbit::profile::{self, Profile};
 use guardbit::vector::bench::{Bench, Source};
 use guardbit::vector::emit;
 use guardbit::vector::plan::{find_test, test_id};
@@ -67,7 +67,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
                 .columns
                 .iter()
                 .zip(row)
-                .map(|(column, word)| word_text(&**bench, column, *word))
+                .map(|(column, word)| word_text(&**bench, &source.profile, column, *word))
                 .collect();
             output.line(format!("{n:>4}  {}", words.join("  ")))?;
             if let Some(behind) = bench.behind(at, spec, row) {
@@ -87,9 +87,11 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
 }
 
 /// A word by name, in binary fields where it has some, and as a value.
-fn word_text(bench: &dyn Bench, column: &Column, word: u128) -> String {
+fn word_text(bench: &dyn Bench, profile: &Profile, column: &Column, word: u128) -> String {
     let unused = 128 - column.width;
     let value = word.cast_signed() << unused >> if column.signed { unused } else { 0 };
+    // Where the top bits are guard bits, the model reads another number than two's complement.
+    let value = profile.read_of(&column.name).map_or(value, |read| read.reduce(value));
     let value = if column.signed { value.to_string() } else { word.to_string() };
     let fields = bench.fields(&column.name);
     if fields.is_empty() {

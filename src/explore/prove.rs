@@ -40,6 +40,7 @@ mod text;
 mod trial;
 mod walk;
 mod walk_coverage;
+mod walk_range;
 
 pub use domain::{Overrides, Question, QuestionError, W_RATIO};
 pub use gappa::script as gappa;

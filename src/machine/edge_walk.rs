@@ -6,9 +6,9 @@ mod form;
 pub(super) use form::KIND;
 
 use super::carry::Planes;
-use super::painter::{Painter, drawable};
+use super::painter::{Painter, drawable, report};
 use super::{Carrier, DrawError, Input, Machine, Ports, Sink, Target, Work};
-use crate::bits::Rounding;
+use crate::bits::{Event, Place, Rounding, SpanEvents, Status, bounded};
 use crate::cover::SampleGrid;
 use crate::format::{Clamp, Column, ReadOut, ReadOutError, Role, Unreduced, WordFormat};
 use crate::setup::VertexConfig;
@@ -30,6 +30,18 @@ pub struct EdgeWalkConfig {
     pub fraction: u32,
     /// Rounding of the start and of the slope.
     pub rounding: Rounding,
+    /// What a word stands for: `guard`, `sign` (two's complement), `wrap` (no sign), or `error`.
+    #[serde(default = "guard", skip_serializing_if = "is_guard")]
+    pub clamp: Clamp,
+}
+
+const fn guard() -> Clamp {
+    Clamp::Guard
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "what serde calls")]
+fn is_guard(clamp: &Clamp) -> bool {
+    *clamp == Clamp::Guard
 }
 
 /// An edge word that cannot be built.
@@ -38,6 +50,12 @@ pub enum EdgeWalkError {
     /// The word is malformed.
     #[error(transparent)]
     Word(#[from] ReadOutError),
+    /// An x is not written back.
+    #[error(
+        "clamp = \"saturate\": x of an edge is never written back; write guard, sign (two's complement), wrap or \
+         error"
+    )]
+    Sticky,
     /// Comparing x with a sample outgrows 128-bit arithmetic.
     #[error(
         "guard + integer + fraction + sub-pixel = {guard} + {integer} + {fraction} + {sub_pixel} > 126: \
@@ -119,7 +137,10 @@ impl EdgeWalkConfig {
     /// [`EdgeWalkError`] names the violated inequality.
     pub fn validate(&self, vertex: &VertexConfig) -> Result<ReadOut, EdgeWalkError> {
         let (difference, fraction) = (vertex.difference_bits(), self.fraction);
-        let read = ReadOut::new(self.guard, self.integer, fraction, Clamp::Guard)?;
+        let read = ReadOut::new(self.guard, self.integer, fraction, self.clamp)?;
+        if self.clamp == Clamp::Saturate {
+            return Err(EdgeWalkError::Sticky);
+        }
         let (guard, integer, sub_pixel) = (self.guard, self.integer, vertex.sub_pixel);
         if read.width() + sub_pixel > 126 {
             return Err(EdgeWalkError::Compare { guard, integer, fraction, sub_pixel });
@@ -219,6 +240,26 @@ impl EdgeWalk {
     }
 }
 
+/// Reports the ends of a row whose x leaves its word: each is a wrap. Spec clauses `K-3` and `V-2`.
+pub(super) fn beyond(
+    word: ReadOut,
+    y: u32,
+    ends: &[i128],
+    out: &mut dyn Sink,
+) -> Result<(), DrawError> {
+    let (lowest, limit) = word.range();
+    if ends.iter().all(|x| (lowest..limit).contains(x)) {
+        return Ok(());
+    }
+    let mut events = SpanEvents::default();
+    for x in ends {
+        let wraps = Status::when(Event::Wrap, !(lowest..limit).contains(x));
+        let place = Place { y: i64::from(y), x: bounded(x >> word.fraction()) };
+        events.note(place, wraps, *x);
+    }
+    report(word, events, out)
+}
+
 impl Machine for EdgeWalk {
     fn ports(&self) -> &Ports {
         &self.ports
@@ -245,10 +286,12 @@ impl Machine for EdgeWalk {
                 let edge = edges.iter().flatten().find(|edge| {
                     edge.left == left && (edge.first_row..edge.end_row).contains(&row)
                 })?;
-                let x = self.word.reduce(edge.start + edge.slope * (row - edge.first_row));
-                Some(self.config.pixel(x, &grid))
+                Some(edge.start + edge.slope * (row - edge.first_row))
             };
             let (Some(left), Some(right)) = (side(true), side(false)) else { continue };
+            beyond(self.word, y, &[left, right], out)?;
+            let [left, right] =
+                [left, right].map(|x| self.config.pixel(self.word.reduce(x), &grid));
             let (x0, x1) = clip.clip(0, (left, right));
             if x0 < x1 {
                 visits += u64::from(x1 - x0);

@@ -7,6 +7,7 @@ mod form;
 pub use form::GouraudConfig;
 pub(super) use form::KIND;
 
+use super::edge_walk::beyond;
 use super::painter::{accumulated_span, drawable};
 use super::{
     Carrier, DrawError, EdgeWalkConfig, Input, Machine, Ports, Sink, Target, WalkedEdge, Work,
@@ -77,12 +78,19 @@ impl Gouraud {
     ) -> Result<u64, DrawError> {
         let row = i128::from(y);
         cuts.clear();
+        let ((low, limit), mut wraps) = (self.word.range(), false);
         let crossed = edges.iter().filter(|edge| (edge.x.first_row..edge.x.end_row).contains(&row));
         cuts.extend(crossed.map(|edge| {
             let down = row - edge.x.first_row;
-            let x = self.word.reduce(edge.x.start + edge.x.slope * down);
-            (x, edge.depth.map_or(0, |[start, slope]| start + slope * down))
+            let x = edge.x.start + edge.x.slope * down;
+            wraps |= !(low..limit).contains(&x);
+            (self.word.reduce(x), edge.depth.map_or(0, |[start, slope]| start + slope * down))
         }));
+        if wraps {
+            let crossed = edges.iter().filter(|e| (e.x.first_row..e.x.end_row).contains(&row));
+            let ends = crossed.map(|edge| edge.x.start + edge.x.slope * (row - edge.x.first_row));
+            beyond(self.word, y, &ends.collect::<Vec<_>>(), out)?;
+        }
         cuts.sort_unstable();
         let has_depth = edges.iter().any(|edge| edge.depth.is_some());
         let grid = &self.target.grid;

@@ -6,7 +6,7 @@ use crate::bits::Rounding;
 use crate::case::Words;
 use crate::cover::{FillRule, LineConfig, Rect, SampleGrid, scan};
 use crate::exact::PlaneNumerator;
-use crate::format::Unreduced;
+use crate::format::{Clamp, Unreduced};
 use crate::machine::EdgeWalkConfig;
 use crate::setup::{Gradient, Triangle};
 use crate::value::DepthBias;
@@ -135,8 +135,13 @@ fn t_vertices(sub_pixel: u32) -> TVertexRow {
 /// over the whole range.
 fn acute(width: i128) -> AcuteRow {
     let grid = grid(10);
-    let walk =
-        EdgeWalkConfig { guard: 1, integer: 12, fraction: 12, rounding: Rounding::NearestEven };
+    let walk = EdgeWalkConfig {
+        guard: 1,
+        integer: 12,
+        fraction: 12,
+        rounding: Rounding::NearestEven,
+        clamp: Clamp::Guard,
+    };
     let (mut samples, mut misplaced, mut slope) = (0, 0, 0.0f64);
     for index in 0..400 {
         let mut words = Words::new(42, 1, index);

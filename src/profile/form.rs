@@ -3,6 +3,7 @@
 use super::Profile;
 use crate::cover::{ConservativeConfig, ConservativeDepth, Degenerate, EdgeWordConfig};
 use crate::dda::Processor;
+use crate::format::{ReadOut, Role};
 use crate::machine::{RasterState, triangle_machines};
 use crate::setup::Triangle;
 use crate::value::{Depth, DepthConfig, DepthError};
@@ -31,6 +32,15 @@ impl Profile {
     /// Conservative coverage, of a profile that has it.
     pub fn conservative(&self) -> Option<ConservativeConfig> {
         self.form.edge()?.conservative
+    }
+
+    /// How the model reads a set-up word of this name, where a clamp says it: the x of a walked edge. Spec clause
+    /// `K-3`.
+    pub fn read_of(&self, column: &str) -> Option<ReadOut> {
+        let walk = self.form.walk()?;
+        let role = Role::find(column)?.role;
+        let read = walk.validate(&self.vertex).ok()?;
+        (role == Role::EDGE_X_INIT).then_some(read)
     }
 
     /// How far a bounding box reaches beyond the vertices, in sub-pixels. Spec clause `CR-3`.

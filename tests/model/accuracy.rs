@@ -39,6 +39,7 @@ fn profile(words: &mut Words) -> Profile {
             integer: 4,
             fraction: pick(words, 6),
             rounding: Rounding::ALL[index(words, Rounding::ALL.len() as u64)],
+            clamp: Clamp::Guard,
         })
     } else {
         Form::EdgeFunction(

@@ -292,7 +292,7 @@ fn one_bit_less_loses_toy_triangles() {
 fn all_toy_edges_need_2k_plus_2s_floored_bits() {
     let grid = SampleGrid::new(None, 1).unwrap();
     let wrong = |rounding, fraction| {
-        let walk = EdgeWalkConfig { guard: 1, integer: 3, fraction, rounding };
+        let walk = EdgeWalkConfig { guard: 1, integer: 3, fraction, rounding, clamp: Clamp::Guard };
         let mut wrong = 0;
         for (from, to) in (0..VERTICES).flat_map(|a| (0..VERTICES).map(move |b| (at(a), at(b)))) {
             let Some(edge) = walk.edge(from, to, &grid) else { continue };
@@ -323,7 +323,7 @@ fn ties_defeat_nearest_and_truncation_at_every_fraction() {
     let grid = SampleGrid::new(None, 1).unwrap();
     // x = 1/2 on row 3 of both: from (0, 1/2) to (1, 6 1/2), and from (1, 1/2) to (0, 6 1/2).
     let pixels = |rounding, fraction| {
-        let walk = EdgeWalkConfig { guard: 1, integer: 3, fraction, rounding };
+        let walk = EdgeWalkConfig { guard: 1, integer: 3, fraction, rounding, clamp: Clamp::Guard };
         [[[0, 1], [2, 13]], [[2, 1], [0, 13]]].map(|[from, to]| {
             let edge = walk.edge(from, to, &grid).unwrap();
             assert_eq!((edge.first_row, edge.end_row), (0, 6));

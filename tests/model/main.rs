@@ -39,3 +39,4 @@ mod samples;
 mod snapshot;
 mod toy;
 mod viewport;
+mod walk_range;

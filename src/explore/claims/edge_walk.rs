@@ -3,6 +3,7 @@
 use super::statement::Statement;
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
+use crate::format::Clamp;
 use crate::machine::{EdgeWalkConfig, WalkedEdge};
 
 /// A walk down one edge by the edge-walk machine, beside its exact x.
@@ -28,7 +29,8 @@ impl Walk {
         let [a, b] = ends.map(|p| p.map(|n| 2 * n));
         let [top, bottom] = if a[1] <= b[1] { [a, b] } else { [b, a] };
         let grid = SampleGrid::at([1 << s; 2], s + 1);
-        let config = EdgeWalkConfig { guard: 1, integer: 12, fraction, rounding };
+        let config =
+            EdgeWalkConfig { guard: 1, integer: 12, fraction, rounding, clamp: Clamp::Guard };
         let edge = config.edge(top, bottom, &grid)?;
         let (dx, dy) = (bottom[0] - top[0], bottom[1] - top[1]);
         let below_top = grid.position(0, edge.first_row)[1] - top[1];

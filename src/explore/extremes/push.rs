@@ -19,6 +19,7 @@ pub(super) fn all(profile: &Profile) -> Vec<Push> {
     }
     if let Some(walk) = profile.form.walk() {
         pushes.extend([walked_edges(walk.fraction, &grid), ties(walk.fraction, &grid)]);
+        pushes.push(far_edges(walk.guard, &grid));
     }
     pushes.extend(walked_area(profile, &grid));
     if let Some(depth) = profile.depth {
@@ -127,6 +128,24 @@ fn walked_edges(fraction: u32, grid: &Grid) -> Push {
         scenes: grid.keep(vec![
             ([[x0, y0], [x1, y0], [x0 + third, y1]], None),
             ([[x0 + third, y0], [x1, y1], [x0, y1]], None),
+        ]),
+        lens: None,
+    }
+}
+
+/// Edges from the ends of the vertex field into the window.
+fn far_edges(guard: u32, grid: &Grid) -> Push {
+    let ([_, y0], [x1, y1], (from, to)) = (grid.low, grid.high, grid.field);
+    Push {
+        name: "x at the ends of its field",
+        pushed: "edges from the lowest and from the highest x of a vertex, across the window"
+            .to_owned(),
+        field: Field::WALK_GUARD,
+        values: down(guard),
+        tolerance: at_most("misclassified", 0.0),
+        scenes: grid.keep(vec![
+            ([[from, y0], [x1, y0], [from, y1]], None),
+            ([[to, y0], [to, y1], [x1 / 2, y1]], None),
         ]),
         lens: None,
     }

@@ -4,7 +4,7 @@ use super::domain::Question;
 use super::formal::{Formal, Obligation, Variable, real};
 use super::text::{bits as count, decimal, mixed};
 use super::trial::{scaled, shoot};
-use super::{Proof, Witness, walk_coverage};
+use super::{Proof, Witness, walk_coverage, walk_range};
 use crate::case::Words;
 use crate::exact::{Rational, dyadic, edge_x, integer};
 use crate::machine::EdgeWalkConfig;
@@ -44,7 +44,7 @@ impl Length {
         integer(self.span) >= scaled(1, fraction + 1)
     }
 
-    fn bound(self, fraction: u32, nearest: bool) -> Rational {
+    pub(super) fn bound(self, fraction: u32, nearest: bool) -> Rational {
         dyadic(self.rows, fraction + u32::from(nearest))
     }
 }
@@ -55,6 +55,7 @@ pub(super) fn proofs(question: &Question) -> Vec<Proof> {
     let length = Length::new(question);
     let mut proofs: Vec<Proof> = fraction(question, walk, length).into_iter().collect();
     proofs.push(walk_coverage::proof(question, walk, length));
+    proofs.push(walk_range::proof(question, walk, length));
     proofs
 }
 
@@ -109,9 +110,9 @@ pub(super) fn with_fraction(question: &Question, walk: EdgeWalkConfig, fraction:
 
 /// One edge of a triangle as the model set it up.
 pub(super) struct Walked {
-    start: i128,
+    pub(super) start: i128,
     slope: i128,
-    first_row: i128,
+    pub(super) first_row: i128,
     pub(super) end_row: i128,
 }
 

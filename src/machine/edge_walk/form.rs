@@ -5,7 +5,7 @@ use super::{EdgeWalk, EdgeWalkConfig};
 use crate::bits::Rounding;
 use crate::cover::FillRule;
 use crate::exact::{PlaneNumerator, Rational};
-use crate::format::{Decision, Level, Refused, Value};
+use crate::format::{Clamp, Decision, Level, Refused, Value};
 use crate::machine::{
     Carries, Count, Datapath, Face, FormError, Intake, Kind, Machine, Operations, Polygons,
     RasterState, Rasterizer, Site, Step, Steps, Unit, Word, corners, edge_words, near, plane_bound,
@@ -24,6 +24,13 @@ pub(crate) const KIND: Kind = Kind {
     adopt: |from, state| Some(EdgeWalkConfig::adopted(from, state).into()),
 };
 
+/// What a walked x may stand for.
+const CLAMPS: [Clamp; 4] = [Clamp::Guard, Clamp::Sign, Clamp::Wrap, Clamp::Error];
+
+fn clamps() -> Vec<&'static str> {
+    CLAMPS.map(Clamp::name).to_vec()
+}
+
 impl EdgeWalkConfig {
     /// Fraction bits of x.
     pub const FRACTION: Decision =
@@ -35,9 +42,11 @@ impl EdgeWalkConfig {
     /// Rounding of start and slope.
     pub const ROUNDING: Decision =
         Decision::words("walk-rounding", Level::Coverage, "K-3", roundings);
+    /// What a word stands for.
+    pub const CLAMP: Decision = Decision::words("walk-clamp", Level::Coverage, "K-3", clamps);
     /// Its decisions that a search may vary.
     pub const DECISIONS: &[Decision] =
-        &[Self::FRACTION, Self::INTEGER, Self::GUARD, Self::ROUNDING];
+        &[Self::FRACTION, Self::INTEGER, Self::GUARD, Self::ROUNDING, Self::CLAMP];
 
     /// The walk of another machine; or one guard bit, the integer bits of the vertex field and as many bits
     /// as an edge word in all.
@@ -46,7 +55,7 @@ impl EdgeWalkConfig {
             let (guard, integer) = (1, state.vertex.integer);
             let width = edge_words::adopted(from, state).width;
             let fraction = width.saturating_sub(guard + integer);
-            Self { guard, integer, fraction, rounding: Rounding::NearestEven }
+            Self { guard, integer, fraction, rounding: Rounding::NearestEven, clamp: Clamp::Guard }
         })
     }
 
@@ -72,11 +81,42 @@ impl EdgeWalkConfig {
             "edge",
             [("guard", self.guard), ("integer", self.integer), ("fraction", self.fraction)],
             [
+                ("range", self.range_text(state)),
                 ("resolution", format!("2^-{} pixel", self.fraction)),
                 ("rounding", self.rounding.to_string()),
                 ("half a sub-pixel", format!("after {rows} rows")),
             ],
         )
+    }
+
+    /// The range of x in pixels, and whether it holds the vertex field: an edge lies between its two ends.
+    fn range_text(&self, state: &RasterState) -> String {
+        let Ok(read) = self.validate(&state.vertex) else { return "none".to_owned() };
+        let ((low, limit), (from, to)) = (read.range(), state.vertex.range());
+        let pixels = |x: i128, bits: u32| {
+            let (whole, part) = (x >> bits, x & ((1 << bits) - 1));
+            if part == 0 { whole.to_string() } else { format!("{whole} + {part}/2^{bits}") }
+        };
+        let (f, s) = (self.fraction, state.vertex.sub_pixel);
+        let text = format!("{} <= x < {} pixels", pixels(low, f), pixels(limit, f));
+        // Both on a grid that holds both.
+        let inside = from << f >= low << s && to << f < limit << s;
+        if inside {
+            return text;
+        }
+        let needed = (0..=119u32).find(|guard| {
+            let wider = Self { guard: *guard, ..*self }.validate(&state.vertex);
+            wider.is_ok_and(|read| {
+                let (low, limit) = read.range();
+                from << f >= low << s && to << f < limit << s
+            })
+        });
+        let field = format!("{} to {}", pixels(from, s), pixels(to, s));
+        let help = match needed {
+            Some(guard) => format!("guard = {guard} holds them"),
+            None => "no guard bits hold them under this clamp".to_owned(),
+        };
+        format!("{text}; vertices reach {field}: {help}")
     }
 
     /// Two of three edges are walked at a time; the third waits in set-up.
@@ -138,6 +178,13 @@ impl EdgeWalkConfig {
         for got in near(self.fraction) {
             steps.add("fraction", &got, &self.fraction, |config| of(config).fraction = got);
         }
+        // A device cannot refuse: under `error` it answers as under `guard`.
+        for got in CLAMPS.into_iter().filter(|clamp| *clamp != Clamp::Error) {
+            steps.add("clamp", &got.name(), &self.clamp.name(), |config| of(config).clamp = got);
+        }
+        for got in near(self.guard) {
+            steps.add("guard", &got, &self.guard, |config| of(config).guard = got);
+        }
     }
 
     /// What the decision of this name is set to.
@@ -147,6 +194,7 @@ impl EdgeWalkConfig {
             "walk-integer" => Value::Bits(self.integer),
             "walk-guard" => Value::Bits(self.guard),
             "walk-rounding" => Value::Name(self.rounding.names().guardbit),
+            "walk-clamp" => Value::Name(self.clamp.name()),
             _ => return None,
         })
     }
@@ -162,6 +210,9 @@ impl EdgeWalkConfig {
             "walk-integer" => self.integer = Refused::unless(value.bits())?,
             "walk-guard" => self.guard = Refused::unless(value.bits())?,
             "walk-rounding" => self.rounding = rounding(value)?,
+            "walk-clamp" => {
+                self.clamp = Refused::unless(value.choose(&CLAMPS, |clamp| clamp.name()))?
+            }
             _ => return Err(Refused::Absent),
         }
         Ok(())

@@ -40,6 +40,12 @@ impl Shape {
             (Some(edge), _) if form.visits_the_box() || form.tile().is_some() => {
                 Coverage::Edges(*edge, form.tile())
             }
+            (_, Some(walk)) if walk.clamp != Clamp::Guard => {
+                let clamp = walk.clamp.name();
+                return Err(format!(
+                    "clamp of the walk is {clamp}: the texts read a walked x as under guard"
+                ));
+            }
             (_, Some(walk)) => Coverage::Walk(*walk),
             _ => return Err(format!("the machine is {}", form.engine())),
         };

@@ -236,7 +236,7 @@ proptest! {
         profile.depth.as_mut().unwrap().clamp = clamp;
         profile.form = if walks {
             let rounding = guardbit::bits::Rounding::NearestEven;
-            Form::EdgeWalk(EdgeWalkConfig { guard: 1, integer: 7, fraction: width / 4, rounding })
+            Form::EdgeWalk(EdgeWalkConfig { guard: 1, integer: 7, fraction: width / 4, rounding, clamp: Clamp::Guard })
         } else {
             let (rule, storage) = (FillRule::TopLeft, EdgeStorage::Shifted);
             Form::EdgeFunction(EdgeWordConfig { rule, storage, width, conservative: None }.into())

@@ -5,6 +5,7 @@ use crate::property::rounding::{round, roundings};
 use crate::property::{base, cases, draw, grids, pixels, vertex};
 use guardbit::bits::Rounding;
 use guardbit::cover::FillRule;
+use guardbit::format::Clamp;
 use guardbit::machine::EdgeWalkConfig;
 use guardbit::model::Model;
 use guardbit::profile::Form;
@@ -75,7 +76,7 @@ proptest! {
         (grid, xy) in scenes(), rounding in roundings(),
         guard in 0..=2u32, integer in 3..=7u32, fraction in 0..=14u32,
     ) {
-        let config = EdgeWalkConfig { guard, integer, fraction, rounding };
+        let config = EdgeWalkConfig { guard, integer, fraction, rounding, clamp: Clamp::Guard };
         let mut profile = base(grid.0, grid.1);
         profile.depth = None;
         profile.form = Form::EdgeWalk(config);
@@ -97,7 +98,7 @@ proptest! {
         let (guard, integer, rounding) = (2, 7, Rounding::Floor);
         let mut profile = base(s, offset);
         profile.depth = None;
-        profile.form = Form::EdgeWalk(EdgeWalkConfig { guard, integer, fraction: 24, rounding });
+        profile.form = Form::EdgeWalk(EdgeWalkConfig { guard, integer, fraction: 24, rounding, clamp: Clamp::Guard });
         let mut expected = BTreeSet::new();
         for (y, x) in (0..12u32).flat_map(|y| (0..16u32).map(move |x| (y, x))) {
             let at = |pixel: u32, by: u32| i128::from((pixel << s) + by);
