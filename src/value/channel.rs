@@ -210,6 +210,21 @@ pub struct Channel {
 }
 
 impl ChannelConfig {
+    /// Bits of what is read.
+    pub fn top_bits(&self) -> u32 {
+        self.replicate.unwrap_or(self.integer)
+    }
+
+    /// The first part of these channels that is in no reference and in no device.
+    pub fn beyond_plain(&self) -> Option<&'static str> {
+        let parts = [
+            ("slope-width", self.slope_width.is_some()),
+            ("scale", self.scale != 1),
+            ("replicate", self.replicate.is_some()),
+        ];
+        parts.into_iter().find(|(_, there)| *there).map(|(name, _)| name)
+    }
+
     /// The channels of a group.
     ///
     /// # Errors
@@ -314,21 +329,6 @@ impl Channel {
             filled += integer;
         }
         value
-    }
-
-    /// The largest value that is read.
-    pub fn maximum(&self) -> u64 {
-        self.replicate.map_or(self.read.maximum(), |bits| u64::MAX >> (64 - bits))
-    }
-
-    /// What shows, on its way to a reference or a device that has no such part; `None` where there is none.
-    pub fn beyond_plain(&self) -> Option<&'static str> {
-        let parts = [
-            ("slope-width", self.slope_width != self.width),
-            ("scale", self.scale != 1),
-            ("replicate", self.replicate.is_some()),
-        ];
-        parts.into_iter().find(|(_, there)| *there).map(|(name, _)| name)
     }
 
     /// The slope that a host gives for a real one of `numerator / denominator` codes, nearest.

@@ -28,6 +28,10 @@ fn a_profile_is_exported_or_refused_by_name() {
                 let ran =
                     export().complains(2, &[name, "no reference", "coverage is conservative"]);
                 assert!(ran.out.is_empty(), "{name}");
+            } else if ["rasterix", "picogs", "graphite"].contains(&name) {
+                let ran =
+                    export().complains(2, &[name, "no reference", "the machine is edge-functions"]);
+                assert!(ran.out.is_empty(), "{name}");
             } else if let Some((_, machine, device)) =
                 NO_SYSTEMVERILOG.iter().find(|(named, ..)| language == "sv" && *named == name)
             {

@@ -31,15 +31,16 @@ impl Exact {
 
     /// The same at a place in sub-pixels.
     pub(super) fn at_sample(&self, sample: [i128; 2]) -> i128 {
-        let down = self.delta[0] * (sample[1] - self.from[1]) >> self.cuts[0];
-        let right = self.delta[1] * (sample[0] - self.from[0]) >> self.cuts[0];
-        self.sign * (down - right) >> self.cuts[1]
+        let down = (self.delta[0] * (sample[1] - self.from[1])) >> self.cuts[0];
+        let right = (self.delta[1] * (sample[0] - self.from[0])) >> self.cuts[0];
+        (self.sign * (down - right)) >> self.cuts[1]
     }
 
     /// The changes to the next pixel, if they are the same everywhere.
     pub(super) fn steps(&self) -> Option<[i128; 2]> {
         let places = self.cuts[0] + self.cuts[1];
-        let step = [-self.delta[1], self.delta[0]].map(|delta| self.sign * delta << self.sub_pixel);
+        let step =
+            [-self.delta[1], self.delta[0]].map(|delta| (self.sign * delta) << self.sub_pixel);
         let whole = |step: &i128| step & ((1 << places) - 1) == 0;
         step.iter().all(whole).then(|| step.map(|step| step >> places))
     }

@@ -44,7 +44,7 @@ impl Divider {
                 // The last entry has nothing after it.
                 let last = i + 1 == 1 << index;
                 let delta = if last { 0 } else { here - entry(index, seed, i + 1) };
-                let factor = crate::bits::bounded(here - (delta * f >> between));
+                let factor = crate::bits::bounded(here - ((delta * f) >> between));
                 Self::Unit { factor, places: i64::from(seed + leading), negative }
             }
         }
