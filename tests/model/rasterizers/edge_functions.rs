@@ -132,7 +132,7 @@ fn parts_combine() {
             *product_cut = 0;
         }
         let text = parts.toml();
-        let model = Model::new(&toy(4, parts.sub, parts.sample, &text)).unwrap();
+        let model = Model::new(&toy(8, parts.sub, parts.sample, &text)).unwrap();
         for _ in 0..12 {
             let values = parts.registers(&mut words);
             let registers: Vec<u32> = values.iter().map(|value| word(*value)).collect();
@@ -177,7 +177,7 @@ fn both_windings_draw_a_shared_edge_once() {
     for rule in ["top-left", "top-right", "bottom-left", "bottom-right"] {
         for winding in ["both", "negate", "swap"] {
             let parts = plain(rule, winding);
-            let model = Model::new(&toy(4, 1, parts.sample, &parts.toml())).unwrap();
+            let model = Model::new(&toy(8, 1, parts.sample, &parts.toml())).unwrap();
             let draw = |v: [[i128; 2]; 3]| -> Vec<[i64; 2]> {
                 let mut words: Vec<u32> = v.iter().flatten().map(|at| word(*at)).collect();
                 words.resize(6 + 6, 0);
@@ -227,7 +227,7 @@ fn one_given_edge() {
         parts.width = 5;
         parts.source = Source::Given { at: "box" };
         parts.shape = Shape::Given("half-open");
-        let model = Model::new(&toy(4, 1, parts.sample, &parts.toml())).unwrap();
+        let model = Model::new(&toy(8, 1, parts.sample, &parts.toml())).unwrap();
         let mut drawn = 0;
         for n in (0..32 * 16 * 16).step_by(3) {
             let (value, right, down) = (n % 32 - 16, n / 32 % 16 - 8, n / 512 - 8);
@@ -270,7 +270,7 @@ fn every_part_has_neighbours() {
                 "order.place",
                 "order.beyond-box",
                 "values.divide.between",
-                "values.start",
+                "values.fraction",
                 "values.half",
             ],
         ),
