@@ -122,6 +122,7 @@ mod spec {
         Identify "25-identify.md",
         Envelope "26-envelope.md",
         Conservative "27-conservative.md",
+        EdgeRegisters "28-edge-registers.md",
         Front "30-front.md"
     );
 }

@@ -46,11 +46,12 @@ pub use rasterizer::{
     Carries, EveryLinear, Face, FormError, Intake, Kind, Polygons, Rasterizer, Step,
 };
 pub use register::{
-    Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Descent, Emit, EngineConfig, HalfOrder,
-    Largest, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig,
-    RegisterConfig, RegisterDevice, RegisterError, RegisterMachine, Registers, RowOrder,
-    SlopeConfig, SlopeEdges, SubScanlineConfig, VertexSort, WiredDevice, WiredEngine, WordsError,
-    columns,
+    Anchor, AnchoredConfig, BoxEnds, BoxLimit, ClipEnds, ClipRegisters, Descent, Division, EdgeBox,
+    EdgeEngineConfig, EdgeOrder, EdgeRule, EdgeSense, EdgeSource, Emit, EngineConfig, HalfOrder,
+    Largest, Origin, Plane, PlaneStart, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule,
+    Record, RecordConfig, RegisterConfig, RegisterDevice, RegisterError, RegisterMachine,
+    Registers, RowOrder, SlopeConfig, SlopeEdges, SubScanlineConfig, TilePlace, ValueSource,
+    VertexSort, Winding, WiredDevice, WiredEngine, WithoutArea, WordsError, columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
 pub use state::{RasterState, Site};

@@ -3,6 +3,7 @@
 
 mod anchored;
 mod device;
+mod edge;
 mod engine;
 mod form;
 mod host;
@@ -14,6 +15,10 @@ mod text;
 
 pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest, VertexSort};
 pub use device::{QuadDevice, RegisterDevice, WiredDevice, WiredEngine};
+pub use edge::{
+    BoxEnds, BoxLimit, Division, EdgeBox, EdgeEngineConfig, EdgeOrder, EdgeRule, EdgeSense,
+    EdgeSource, Origin, PlaneStart, TilePlace, ValueSource, Winding, WithoutArea,
+};
 pub use engine::EngineConfig;
 pub use input::RegisterError;
 pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};
@@ -110,8 +115,8 @@ pub struct Registers {
     pub input: Layout,
     /// What it writes.
     pub records: Vec<Record>,
-    /// What it leaves out.
-    pub clip: ClipRegisters,
+    /// What it leaves out; `None` where no register says it.
+    pub clip: Option<ClipRegisters>,
 }
 
 /// The registers of a clip rectangle.
@@ -159,6 +164,13 @@ impl RegisterConfig {
                 if channels.iter().any(|known| known.name == channel.name) {
                     return Err(crate::value::ChannelError::Twice(channel.name).into());
                 }
+                if channel.slope_width != channel.width && !self.engine.form().cuts_slopes() {
+                    let reason = format!(
+                        "channel {:?}: its slopes are as wide as its accumulator",
+                        channel.name
+                    );
+                    return Err(RegisterError::Together { engine: self.engine.name(), reason });
+                }
                 channels.push(channel);
             }
         }
@@ -184,9 +196,14 @@ impl RegisterConfig {
             Ok(Record { letter, names, layout, packer, drawn })
         });
         let records = records.collect::<Result<Vec<_>, RegisterError>>()?;
-        let ClipNames { ends, sub_pixels, on } = self.engine.form().clip();
-        let ends = inputs.all(self.engine.name(), ends)?;
-        let clip = ClipRegisters { ends, sub_pixels, on: on.and_then(|name| input.find(name)) };
+        let clip = match self.engine.form().clip() {
+            None => None,
+            Some(ClipNames { ends, sub_pixels, on }) => {
+                let ends = inputs.all(self.engine.name(), ends)?;
+                let on = on.and_then(|name| input.find(name));
+                Some(ClipRegisters { ends, sub_pixels, on })
+            }
+        };
         let registers = Some(Registers { radix: self.radix, input, records, clip });
         let ports = Ports { registers, ..Ports::valued(vertex, Vec::new(), None) };
         Ok(RegisterMachine { engine, target, ports })

@@ -185,7 +185,7 @@ pub fn panel(
 fn places(profile: &Profile, model: &Model) -> ([f64; 3], Vec<[Option<usize>; 3]>, bool) {
     let channels = profile.form.channels().iter();
     let channels =
-        channels.flat_map(|group| group.names.iter().map(move |name| (name, group.integer)));
+        channels.flat_map(|group| group.names.iter().map(move |name| (name, group.top_bits())));
     let first: Vec<(&String, u32)> = channels.take(3).collect();
     let top =
         |n: usize| first.get(n).map_or(1.0, |(_, bits)| ((1u64 << (*bits).min(52)) - 1) as f64);

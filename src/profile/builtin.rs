@@ -4,7 +4,7 @@ use super::Profile;
 use super::load::{ProfileError, parse};
 
 /// Name and text of each built-in profile; the first is the default.
-pub const BUILTIN: [(&str, &str); 21] = [
+pub const BUILTIN: [(&str, &str); 24] = [
     ("sgi-4k", include_str!("../../profiles/sgi-4k.toml")),
     ("sgi-4k-walk", include_str!("../../profiles/sgi-4k-walk.toml")),
     ("d3d11", include_str!("../../profiles/d3d11.toml")),
@@ -26,6 +26,9 @@ pub const BUILTIN: [(&str, &str); 21] = [
     ("virge", include_str!("../../profiles/virge.toml")),
     ("n64", include_str!("../../profiles/n64.toml")),
     ("n64-rtl", include_str!("../../profiles/n64-rtl.toml")),
+    ("rasterix", include_str!("../../profiles/rasterix.toml")),
+    ("picogs", include_str!("../../profiles/picogs.toml")),
+    ("graphite", include_str!("../../profiles/graphite.toml")),
 ];
 
 /// The built-in profile of this name.

@@ -50,6 +50,24 @@ pub struct ChannelConfig {
     /// Bits below the integer that the correction to the first covered sub-sample sees.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub correction: u32,
+    /// Bits of the slopes, where an accumulator has more: their upper bits are lost.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub slope_width: Option<u32>,
+    /// What the accumulator is multiplied with before it is read.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub scale: u32,
+    /// Bits of what is read, where that is the code repeated from its highest bit on.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub replicate: Option<u32>,
+}
+
+const fn one() -> u32 {
+    1
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
+const fn is_one(value: &u32) -> bool {
+    *value == 1
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde asks for a reference")]
@@ -120,6 +138,34 @@ pub enum ChannelError {
         /// Bits below the integer.
         interpolation: u32,
     },
+    /// Slopes wider than what they are added to.
+    #[error("channel {name:?}: 1 <= slope-width = {slope} <= width = {width} is needed")]
+    SlopeWidth {
+        /// The channel.
+        name: String,
+        /// Bits of a slope.
+        slope: u32,
+        /// Bits of the accumulator.
+        width: u32,
+    },
+    /// A factor that leaves nothing, or a product beyond every word.
+    #[error("channel {name:?}: 1 <= scale = {scale} <= 2^16 is needed")]
+    Scale {
+        /// The channel.
+        name: String,
+        /// The factor.
+        scale: u32,
+    },
+    /// A code that is cut when it is repeated.
+    #[error("channel {name:?}: integer = {integer} <= replicate = {replicate} <= 32 is needed")]
+    Replicate {
+        /// The channel.
+        name: String,
+        /// Bits of the code.
+        integer: u32,
+        /// Bits of what is read.
+        replicate: u32,
+    },
     /// A name given twice.
     #[error("channel {0:?} is defined twice; remove one definition")]
     Twice(String),
@@ -155,9 +201,30 @@ pub struct Channel {
     pub drop: u32,
     /// Bits below the integer that a correction sees.
     pub correction: u32,
+    /// Bits of the slopes.
+    pub slope_width: u32,
+    /// What the accumulator is multiplied with before it is read.
+    pub scale: u32,
+    /// Bits of what is read, where that is the code repeated.
+    pub replicate: Option<u32>,
 }
 
 impl ChannelConfig {
+    /// Bits of what is read.
+    pub fn top_bits(&self) -> u32 {
+        self.replicate.unwrap_or(self.integer)
+    }
+
+    /// The first part of these channels that is in no reference and in no device.
+    pub fn beyond_plain(&self) -> Option<&'static str> {
+        let parts = [
+            ("slope-width", self.slope_width.is_some()),
+            ("scale", self.scale != 1),
+            ("replicate", self.replicate.is_some()),
+        ];
+        parts.into_iter().find(|(_, there)| *there).map(|(name, _)| name)
+    }
+
     /// The channels of a group.
     ///
     /// # Errors
@@ -190,8 +257,30 @@ impl ChannelConfig {
         if correction > interpolation {
             return Err(ChannelError::Correction { name, correction, interpolation });
         }
-        let (start, shift, drop) = (self.start, self.shift, self.drop);
-        Ok(Channel { name, read, width, start, shift, shift_along, drop, correction })
+        let slope_width = self.slope_width.unwrap_or(width);
+        if !(1..=width).contains(&slope_width) {
+            return Err(ChannelError::SlopeWidth { name, slope: slope_width, width });
+        }
+        let (scale, replicate, integer) = (self.scale, self.replicate, self.integer);
+        if !(1..=1 << 16).contains(&scale) {
+            return Err(ChannelError::Scale { name, scale });
+        }
+        if let Some(replicate) = replicate.filter(|bits| !(integer..=32).contains(bits)) {
+            return Err(ChannelError::Replicate { name, integer, replicate });
+        }
+        Ok(Channel {
+            name,
+            read,
+            width,
+            start: self.start,
+            shift: self.shift,
+            shift_along,
+            drop: self.drop,
+            correction,
+            slope_width,
+            scale,
+            replicate,
+        })
     }
 }
 
@@ -214,15 +303,38 @@ impl Channel {
         slope & !((1 << self.drop) - 1)
     }
 
-    /// The read-out, floor then clamp.
+    /// A slope in its own bits, as a signed number.
+    #[inline]
+    pub const fn slope(&self, value: i64) -> i64 {
+        let above = 64 - self.slope_width;
+        value << above >> above
+    }
+
+    /// The read-out: scale, floor, clamp, and the code repeated. Spec clauses `RE-9` and `RG-20`.
     #[inline]
     pub fn value(&self, accumulator: i64) -> i64 {
-        self.read.read(i128::from(accumulator)).cast_signed()
+        let code = self.read.read(i128::from(accumulator) * i128::from(self.scale));
+        self.replicate.map_or(code, |bits| self.repeated(code, bits)).cast_signed()
+    }
+
+    /// A code from the highest bit of so many on, again and again.
+    fn repeated(&self, code: u64, bits: u32) -> u64 {
+        let integer = self.read.integer();
+        let (mut value, mut filled) = (0, 0);
+        while filled < bits {
+            let room = bits - filled;
+            let part =
+                if integer <= room { code << (room - integer) } else { code >> (integer - room) };
+            value |= part;
+            filled += integer;
+        }
+        value
     }
 
     /// The slope that a host gives for a real one of `numerator / denominator` codes, nearest.
     pub fn register(&self, numerator: i128, denominator: i128, shift: u32) -> i64 {
         let places = self.read.fraction();
+        let denominator = denominator * i128::from(self.scale);
         let exact = crate::bits::Rounding::NearestEven
             .divide(numerator << places >> shift, denominator)
             .map_or(0, |(value, _)| value);

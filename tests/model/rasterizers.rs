@@ -4,6 +4,7 @@
 
 mod anchored;
 mod channel;
+mod edge_functions;
 mod profiles;
 mod quads;
 mod slopes;

@@ -15,7 +15,7 @@ use serde::Serialize;
 use std::fmt::Write as _;
 
 /// The real rasterizers among the built-in profiles, each once.
-const REAL: [&str; 12] = [
+const REAL: [&str; 15] = [
     "d3d11",
     "vulkan-8bit",
     "vulkan-4bit",
@@ -28,6 +28,9 @@ const REAL: [&str; 12] = [
     "virge",
     "n64",
     "n64-rtl",
+    "rasterix",
+    "picogs",
+    "graphite",
 ];
 /// Window without --window: small enough that pixels are seen.
 const WINDOW: (u32, u32) = (96, 72);

@@ -45,8 +45,13 @@ pub(super) trait EngineForm {
         target: Target,
     ) -> Result<Built, RegisterError>;
 
-    /// The registers of its clip rectangle.
-    fn clip(&self) -> ClipNames;
+    /// The registers of its clip rectangle, if it has one.
+    fn clip(&self) -> Option<ClipNames>;
+
+    /// Whether slopes can have fewer bits than what they are added to.
+    fn cuts_slopes(&self) -> bool {
+        false
+    }
 
     /// The word that decides coverage; `None` where sides are exact.
     fn edge_word(&self) -> Option<Word>;
@@ -99,4 +104,6 @@ engines! {
     Slopes(super::SlopeConfig);
     /// Edges walked by their slopes, four sub-scanlines a row.
     SubScanlines(super::SubScanlineConfig);
+    /// Edge functions with linear channels, made of parts.
+    EdgeFunctions(super::EdgeEngineConfig);
 }

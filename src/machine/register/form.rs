@@ -64,6 +64,21 @@ fn channel_steps(steps: &mut Steps<'_, RegisterConfig>, n: usize, channel: &Chan
             m.channels[n].shift_along = Some(got);
         });
     }
+    if let Some(was) = channel.slope_width {
+        for got in near(was) {
+            steps.add(&field("slope-width"), &got, &was, |m| m.channels[n].slope_width = Some(got));
+        }
+    }
+    if channel.scale > 1 {
+        for got in near(channel.scale) {
+            steps.add(&field("scale"), &got, &channel.scale, |m| m.channels[n].scale = got);
+        }
+    }
+    if let Some(was) = channel.replicate {
+        for got in near(was) {
+            steps.add(&field("replicate"), &got, &was, |m| m.channels[n].replicate = Some(got));
+        }
+    }
     let read = channel.guard + channel.integer + channel.interpolation;
     let was = channel.width.unwrap_or(read);
     for got in near(was).chain((read + 1 < was).then_some(read)) {

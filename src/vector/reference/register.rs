@@ -43,6 +43,10 @@ impl<'a> RegisterText<'a> {
         let model = ready(profile, true);
         let Some(registers) = model.registers() else { return Ok(None) };
         let refused = || format!("the machine is {}", profile.form.engine());
+        let mut parts = profile.form.channels().iter();
+        if let Some(part) = parts.find_map(crate::value::ChannelConfig::beyond_plain) {
+            return Err(format!("{}, with {part} of a channel", refused()));
+        }
         let channels = profile.form.channels().iter().map(crate::value::ChannelConfig::channels);
         let channels: Vec<Channel> =
             channels.collect::<Result<Vec<_>, _>>().map_err(|error| error.to_string())?.concat();

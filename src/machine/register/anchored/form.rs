@@ -26,8 +26,8 @@ impl EngineForm for AnchoredConfig {
         self.engine(inputs, channels, vertex, target)
     }
 
-    fn clip(&self) -> ClipNames {
-        ClipNames { ends: ["left", "top", "right", "bottom"], sub_pixels: false, on: None }
+    fn clip(&self) -> Option<ClipNames> {
+        Some(ClipNames { ends: ["left", "top", "right", "bottom"], sub_pixels: false, on: None })
     }
 
     /// Its sides are exact.
@@ -51,7 +51,7 @@ impl EngineForm for AnchoredConfig {
             rounding: self.rounding,
             largest: None,
         };
-        let wiring = RegisterConfig { engine: same.into(), ..machine.clone() };
+        let wiring = Box::new(RegisterConfig { engine: same.into(), ..machine.clone() });
         let (engine, rounding) = (WiredEngine::Anchored, Some(self.rounding));
         let facts = Vec::new();
         Some(RegisterDevice::Wired(WiredDevice { engine, values, facts, rounding, wiring }))

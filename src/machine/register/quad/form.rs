@@ -26,12 +26,12 @@ impl EngineForm for QuadConfig {
         self.engine(inputs, &channels, vertex, target)
     }
 
-    fn clip(&self) -> ClipNames {
+    fn clip(&self) -> Option<ClipNames> {
         let (ends, sub_pixels) = match self.edges {
             QuadEdges::Given { .. } => (["x_min", "y_min", "x_max", "y_max"], false),
             QuadEdges::Vertices => (["left", "top", "right", "bottom"], true),
         };
-        ClipNames { ends, sub_pixels, on: None }
+        Some(ClipNames { ends, sub_pixels, on: None })
     }
 
     fn edge_word(&self) -> Option<Word> {
@@ -55,7 +55,7 @@ impl EngineForm for QuadConfig {
                 values: Vec::new(),
                 facts,
                 rounding: None,
-                wiring: machine.clone(),
+                wiring: Box::new(machine.clone()),
             }));
         }
         let input = Layout::parse(&machine.input).ok()?;

@@ -25,9 +25,9 @@ impl EngineForm for SlopeConfig {
         self.engine(inputs, channels, vertex, target)
     }
 
-    fn clip(&self) -> ClipNames {
+    fn clip(&self) -> Option<ClipNames> {
         let ends = ["clip_left", "clip_top", "clip_right", "clip_bottom"];
-        ClipNames { ends, sub_pixels: false, on: Some("clip") }
+        Some(ClipNames { ends, sub_pixels: false, on: Some("clip") })
     }
 
     fn edge_word(&self) -> Option<Word> {
