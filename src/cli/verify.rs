@@ -4,6 +4,7 @@ use super::Outcome;
 use super::failure::Failure;
 use super::output::Output;
 use super::progress;
+use super::report::counted;
 use guardbit::profile;
 use guardbit::vector::check::{self, CheckError, CheckOptions, OpenSet};
 use guardbit::vector::dump::{self, CompareError, Differs, DumpError, DumpReport, Placed};
@@ -72,7 +73,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
         output.line(finding.to_string())?;
     }
     if !report.findings.is_empty() {
-        output.line(format!("FAIL: {} findings", report.findings.len()))?;
+        output.line(format!("FAIL: {}", counted(report.findings.len(), "finding")))?;
         output.flush()?;
         return Ok(Outcome::Mismatch);
     }

@@ -1,6 +1,7 @@
 //! A device's dump against a set: every mismatch decoded, and the one change of the profile that
 //! explains them all, if there is one. Spec clauses `N-12` to `N-14`.
 
+mod align;
 mod compare;
 mod explain;
 mod observe;
@@ -133,7 +134,12 @@ impl Subject {
         self.spec.columns[..self.key()].iter().map(Column::bytes).sum()
     }
 
-    /// The test that a keyed row names.
+    /// Whether each row names its test. Rows of a file without a key have their order inside a test.
+    fn names_tests(&self) -> bool {
+        self.key() > 0 || self.spec.columns.first().is_some_and(|column| column.name == "test")
+    }
+
+    /// The test that a row names.
     fn test(&self, number: u64) -> Option<TestAt> {
         (number < tests(self.bench.groups())).then(|| locate(self.bench.groups(), number)).flatten()
     }

@@ -459,7 +459,7 @@ mod command {
                 let ran = ran.ends(1);
                 let place = format!("{name}:{}: ", first_line(&bytes, &damaged));
                 assert!(name == "manifest.json" || ran.out.contains(&place), "{}", ran.out);
-                assert!(ran.out.contains(&name) && ran.out.contains("FAIL: 1 findings"));
+                assert!(ran.out.contains(&name) && ran.out.contains("FAIL: 1 finding"));
             }
             std::fs::write(golden.file(&name), &bytes).unwrap();
         }
@@ -517,4 +517,35 @@ mod command {
             assert!(ran.out.contains("stopped early"), "{}", ran.out);
         }
     }
+}
+
+/// Clause N-13: the records of a register machine are lined up by test and by order in it: a row too much, or one
+/// missing, is one mismatch, in the first test and in a later one.
+#[test]
+fn a_record_too_much_or_too_little_is_one_mismatch() {
+    let golden = Golden::named("ps1", 400);
+    let name = "words-p.exp.tv";
+    let text = golden.set.text(name);
+    let lines: Vec<&str> = text.lines().collect();
+    // A row whose neighbours are of the same test.
+    let test = |n: usize| lines[n].split('_').next();
+    let inner = (1..lines.len() - 1).filter(|n| test(n - 1) == test(*n) && test(*n) == test(n + 1));
+    let inner: Vec<usize> = inner.collect();
+    for at in [inner[0], inner[inner.len() / 2]] {
+        let mut more = lines.clone();
+        more.insert(at, lines[at]);
+        let report = golden.compare(name, &(more.join("\n") + "\n")).unwrap();
+        assert_eq!((report.total, report.disagrees), (1, true), "{:?}", report.mismatches);
+        assert!(report.mismatches[0].text.starts_with("extra row: "), "{:?}", report.mismatches);
+        let mut less = lines.clone();
+        less.remove(at);
+        let report = golden.compare(name, &(less.join("\n") + "\n")).unwrap();
+        assert_eq!((report.total, report.short), (1, false), "{:?}", report.mismatches);
+        assert!(report.mismatches[0].text.starts_with("missing: "), "{:?}", report.mismatches);
+        assert!(report.lost, "every row that came agrees");
+    }
+    let swapped = inner.iter().find(|at| lines[**at] != lines[**at + 1]).unwrap();
+    let mut turned = lines.clone();
+    turned.swap(*swapped, swapped + 1);
+    assert_eq!(golden.compare(name, &(turned.join("\n") + "\n")).unwrap().total, 2);
 }

@@ -114,7 +114,7 @@ fn leaves(question: &Question, walk: EdgeWalkConfig, guard: u32) -> Option<Witne
                 format!(
                     "x {} on row {}, in pixels",
                     mixed(&(integer(x) / scaled(1, question.sub_pixel()))),
-                    walked.first_row
+                    walked.first_row.max(question.origin[1])
                 ),
                 format!("the word reads {}", mixed(&dyadic(got, walk.fraction))),
             )

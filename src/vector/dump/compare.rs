@@ -1,5 +1,6 @@
 //! Row by row, in order or by key.
 
+use super::align;
 use super::explain::mismatch_text;
 use super::read::Dump;
 use super::{DumpReport, Mismatch, Subject};
@@ -57,10 +58,10 @@ impl<'r> Answer<'r> {
     }
 }
 
-/// Rows of a keyed dump, by test.
+/// Rows of a dump that name their test, by test.
 pub(super) type ByTest = HashMap<u128, Vec<usize>>;
 
-/// Sorts the rows of a keyed dump by the test that they name.
+/// Sorts the rows of a dump by the test that they name.
 pub(super) fn by_test(subject: &Subject, dump: &Dump) -> ByTest {
     let mut map = ByTest::new();
     for row in 0..dump.rows() {
@@ -74,8 +75,8 @@ pub(super) fn by_test(subject: &Subject, dump: &Dump) -> ByTest {
 pub(super) fn against(subject: &Subject, dump: &Dump, most: usize) -> DumpReport {
     let rows = dump.rows() as u64;
     let mut report = DumpReport { rows, cut: dump.cut(), ..DumpReport::default() };
-    if subject.key() > 0 {
-        keyed(subject, dump, most, &mut report);
+    if subject.names_tests() {
+        by_tests(subject, dump, most, &mut report);
     } else {
         ordered(subject, dump, most, &mut report);
     }
@@ -134,21 +135,39 @@ fn ordered(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport)
     }
 }
 
-fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
+/// Which row of a dump belongs to each row of a test, and those that are too much: by their key, or in order.
+pub(super) fn matched(
+    subject: &Subject,
+    dump: &Dump,
+    rows: &[&[u8]],
+    mut theirs: Vec<usize>,
+) -> (Vec<Option<usize>>, Vec<usize>) {
+    let key = subject.key_bytes();
+    if subject.key() == 0 {
+        return align::aligned(rows.len(), theirs, |n, row| dump.agrees(row, rows[n]));
+    }
+    let found = rows.iter().map(|words| {
+        let same_key = |row: &usize| dump.row(*row)[..key] == words[..key];
+        theirs.iter().position(same_key).map(|found| theirs.remove(found))
+    });
+    (found.collect(), theirs)
+}
+
+fn by_tests(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
     let mut map = by_test(subject, dump);
     let mut expected = Answer::expected(subject);
     let bench = &*subject.bench;
-    let key = subject.key_bytes();
     // Rows in file order: the number of this one, of the last one found, of the first one missing.
     let (mut number, mut last, mut gap) = (0, 0, u64::MAX);
     for (at, limit) in subject.tests() {
         // A test may have no row.
-        let mut theirs = map.remove(&u128::from(at.test)).unwrap_or_default();
-        for (n, words) in expected.rows(at, limit).enumerate() {
+        let theirs = map.remove(&u128::from(at.test)).unwrap_or_default();
+        let rows: Vec<&[u8]> = expected.rows(at, limit).collect();
+        let (found, extra) = matched(subject, dump, &rows, theirs);
+        for (n, (words, found)) in rows.into_iter().zip(found).enumerate() {
             report.expected_rows += 1;
             number += 1;
-            let same_key = |row: &usize| dump.row(*row)[..key] == words[..key];
-            let Some(found) = theirs.iter().position(same_key) else {
+            let Some(row) = found else {
                 gap = gap.min(number);
                 keep(report, most, || Mismatch {
                     row: Some(number),
@@ -159,7 +178,6 @@ fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
                 continue;
             };
             last = number;
-            let row = theirs.remove(found);
             if !dump.agrees(row, words) {
                 report.disagrees = true;
                 keep(report, most, || Mismatch {
@@ -170,7 +188,7 @@ fn keyed(subject: &Subject, dump: &Dump, most: usize, report: &mut DumpReport) {
                 });
             }
         }
-        for row in theirs {
+        for row in extra {
             report.disagrees = true;
             keep(report, most, || Mismatch {
                 row: None,
@@ -215,7 +233,11 @@ fn beginning_too_much(report: &mut DumpReport, most: usize) {
 
 /// Key columns by name, in decimal.
 fn place(subject: &Subject, row: &[u8]) -> String {
-    let columns = &subject.spec.columns[..subject.key()];
+    // Without a key, the whole row says what it is.
+    let columns = match subject.key() {
+        0 => &subject.spec.columns[..],
+        key => &subject.spec.columns[..key],
+    };
     let words = columns.iter().zip(unpack(row, columns));
     words.map(|(column, word)| format!("{} {word}", column.name)).collect::<Vec<_>>().join(", ")
 }

@@ -80,7 +80,7 @@ pub(super) fn causes(group: &[&Judged], sound: &[&str], broken: &[&str]) -> Caus
     let subject = &group[0].subject;
     let maps: Vec<Option<ByTest>> = group
         .iter()
-        .map(|judged| (judged.subject.key() > 0).then(|| by_test(&judged.subject, &judged.dump)))
+        .map(|judged| judged.subject.names_tests().then(|| by_test(&judged.subject, &judged.dump)))
         .collect();
     let suspects = subject.bench.suspects();
     let tried = suspects.len();
@@ -163,7 +163,7 @@ impl Probe {
                 }
             }
             for (row, _) in
-                rows.iter_mut().zip(group).filter(|(_, judged)| judged.subject.key() == 0)
+                rows.iter_mut().zip(group).filter(|(_, judged)| !judged.subject.names_tests())
             {
                 let given = bench.rows(at).and_then(|given| usize::try_from(given.min(limit)).ok());
                 let Some(given) = given else { return Vec::new() };
@@ -185,7 +185,7 @@ impl Probe {
                 let mut rows = table.buffer.chunks_exact(subject.stride());
                 agrees &= if let Some(map) = &maps[n] {
                     let theirs = map.get(&u128::from(self.at.test)).map_or(&[][..], Vec::as_slice);
-                    keyed_agree(rows, theirs, dump, true)
+                    agree(subject, rows, theirs, dump, true)
                 } else {
                     let first = self.rows[n];
                     // The beginning of a file can be unsettled, and its end can be missing.
@@ -227,7 +227,7 @@ fn explains(
             if let Some(map) = &maps[n] {
                 let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);
                 seen[n] += usize::from(!theirs.is_empty());
-                if !keyed_agree(rows, theirs, dump, true) {
+                if !agree(subject, rows, theirs, dump, true) {
                     return false;
                 }
                 continue;
@@ -246,7 +246,7 @@ fn explains(
             }
         }
         if group.iter().zip(&next).all(|(judged, next)| {
-            judged.subject.key() == 0 && judged.report.short && *next == judged.dump.rows()
+            !judged.subject.names_tests() && judged.report.short && *next == judged.dump.rows()
         }) {
             return true;
         }
@@ -257,14 +257,24 @@ fn explains(
     })
 }
 
-/// Whether each row of a test in a dump is one of a device's, none twice; `whole`: and each of those
-/// is there.
-fn keyed_agree<'r>(
+/// Whether each row of a test in a dump is one of a device's, none twice, and in its order where a file has no key;
+/// `whole`: and each of those is there.
+fn agree<'r>(
+    subject: &Subject,
     rows: impl Iterator<Item = &'r [u8]>,
     theirs: &[usize],
     dump: &Dump,
     whole: bool,
 ) -> bool {
+    if subject.key() == 0 {
+        let mut next = theirs.iter().peekable();
+        for words in rows {
+            if next.next_if(|row| dump.agrees(**row, words)).is_none() && whole {
+                return false;
+            }
+        }
+        return next.peek().is_none();
+    }
     let mut found = 0;
     for words in rows {
         let here = theirs.iter().filter(|row| dump.agrees(**row, words)).count();
@@ -286,7 +296,7 @@ fn is_part(Judged { subject, dump, .. }: &Judged, keyed: Option<&ByTest>) -> boo
         if let Some(map) = keyed {
             let theirs = map.get(&u128::from(at.test)).map_or(&[][..], Vec::as_slice);
             seen += usize::from(!theirs.is_empty());
-            if !keyed_agree(rows, theirs, dump, false) {
+            if !agree(subject, rows, theirs, dump, false) {
                 return false;
             }
             continue;

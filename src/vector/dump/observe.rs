@@ -5,7 +5,7 @@ mod condition;
 mod relation;
 
 use super::Subject;
-use super::compare::{Answer, by_test};
+use super::compare::{Answer, by_test, matched};
 use super::read::Dump;
 use crate::format::{Column, Role};
 use crate::vector::bench::TestAt;
@@ -66,27 +66,24 @@ pub(super) fn observe(subject: &Subject, dump: &Dump) -> (Observed, Vec<TestAt>)
     let columns = &subject.spec.columns;
     let mut seen = Seen::new(subject);
     let mut expected = Answer::expected(subject);
-    let mut map = (subject.key() > 0).then(|| by_test(subject, dump));
-    let key = subject.key_bytes();
+    let mut map = subject.names_tests().then(|| by_test(subject, dump));
     let mut next = 0;
     let mut before: Option<Vec<u128>> = None;
     let mut differing = Vec::new();
     for (at, limit) in subject.tests() {
         let so_far = seen.differ;
         let class = subject.bench.groups()[at.group].class.tag;
-        let mut theirs = match &mut map {
-            Some(map) => map.remove(&u128::from(at.test)).unwrap_or_default(),
-            None => Vec::new(),
-        };
         let (rows, stimulus) = expected.rows_and_stimulus(at, limit);
-        for (n, row) in rows.enumerate() {
-            let found = if map.is_some() {
-                let found = theirs.iter().position(|there| dump.row(*there)[..key] == row[..key]);
-                found.map(|found| theirs.remove(found))
-            } else {
-                next += 1;
-                (next <= dump.rows()).then(|| next - 1)
-            };
+        let rows: Vec<&[u8]> = rows.collect();
+        let (found, theirs) = if let Some(map) = &mut map {
+            let theirs = map.remove(&u128::from(at.test)).unwrap_or_default();
+            matched(subject, dump, &rows, theirs)
+        } else {
+            let from = next;
+            next += rows.len();
+            ((from..next).map(|row| (row < dump.rows()).then_some(row)).collect(), Vec::new())
+        };
+        for (n, (row, found)) in rows.into_iter().zip(found).enumerate() {
             let Some(there) = found else {
                 seen.observed.missing += 1;
                 seen.differs_in(class, 1);
