@@ -121,6 +121,7 @@ mod spec {
         Channels "24-channels.md",
         Identify "25-identify.md",
         Envelope "26-envelope.md",
-        Conservative "27-conservative.md"
+        Conservative "27-conservative.md",
+        EdgeRegisters "28-edge-registers.md"
     );
 }

@@ -3,8 +3,9 @@
 use super::part::{BoxLimit, EdgeBox, EdgeOrder, EdgeRule, EdgeSource, Winding, WithoutArea};
 use super::setup::EdgeFunctions;
 use super::value::{Division, PlaneStart, ValueSource};
-use super::wire::{LimitWires, Wires};
+use super::wire::{EdgeWires, LimitWires, Wires};
 use super::{EdgeEngineConfig, NAME};
+use crate::format::Gather;
 use crate::machine::Target;
 use crate::machine::register::Built;
 use crate::machine::register::input::{Inputs, RegisterError};
@@ -15,6 +16,11 @@ use crate::value::Channel;
 const OWN: [&str; 5] = ["x", "y", "e0", "e1", "e2"];
 /// Bits of a pixel number at most.
 const PIXEL: u32 = 17;
+
+/// Bits of the widest register.
+fn widest(wires: &[Gather]) -> u32 {
+    wires.iter().map(Gather::bits).max().unwrap_or(0)
+}
 
 /// Whether a condition holds, else the reason.
 fn need(holds: bool, reason: impl FnOnce() -> String) -> Result<(), RegisterError> {
@@ -34,11 +40,10 @@ impl EdgeEngineConfig {
         self.check_order()?;
         self.check_channels(&channels)?;
         let wires = self.wires(inputs, &channels)?;
-        wires.check()?;
+        wires.check(vertex)?;
         if let Some(values) = self.values {
             for (channel, wires) in channels.iter().zip(&wires.values) {
-                let bits = wires.iter().map(crate::format::Gather::bits).max().unwrap_or(0);
-                self.check_values(values, channel, bits, vertex)?;
+                self.check_values(values, channel, widest(wires), vertex)?;
             }
         }
         let own = OWN.map(str::to_owned).into_iter();
@@ -91,9 +96,8 @@ impl EdgeEngineConfig {
 
     fn check_cuts(&self) -> Result<(), RegisterError> {
         let EdgeSource::Vertices { product_cut, cut, .. } = self.edges else { return Ok(()) };
-        need(product_cut <= 40 && cut <= 40, || {
-            format!("edges: product-cut = {product_cut} <= 40 and cut = {cut} <= 40 are needed")
-        })
+        let both = product_cut.saturating_add(cut);
+        need(both <= 40, || format!("edges: product-cut + cut = {both} <= 40 is needed"))
     }
 
     fn check_order(&self) -> Result<(), RegisterError> {
@@ -194,6 +198,9 @@ impl EdgeEngineConfig {
                         "values: 1 <= product = {product} <= 64 and product-cut = {product_cut} <= 64 are needed"
                     )
                 })?;
+                need(fraction <= 100, || {
+                    format!("values: fraction = {fraction} <= 100 is needed")
+                })?;
                 let quotient = matches!(divide, Division::Quotient(_));
                 need(!quotient || product_cut == 0, || {
                     "values: product-cut has no effect on an exact quotient".to_owned()
@@ -238,14 +245,22 @@ fn check_division(divide: Division) -> Result<(), RegisterError> {
 }
 
 impl Wires {
-    /// Whether a pixel number fits its registers.
-    fn check(&self) -> Result<(), RegisterError> {
+    /// Whether a pixel number fits its registers, and a register of a vertex holds no more than a vertex.
+    fn check(&self, vertex: &VertexConfig) -> Result<(), RegisterError> {
+        if let EdgeWires::Vertices(wires) = &self.edges {
+            let (bits, most) = (widest(wires.as_flattened()), vertex.integer + vertex.sub_pixel);
+            need(bits <= most, || {
+                format!(
+                    "a register of a vertex has {bits} bits, and a vertex integer + sub-pixel = {most} bits"
+                )
+            })?;
+        }
         let gathers: &[_] = match &self.limit {
             LimitWires::Rectangle(ends, _) => ends,
             LimitWires::Size2 { size, .. } => size,
             LimitWires::None | LimitWires::Size(_) => &[],
         };
-        let bits = gathers.iter().map(crate::format::Gather::bits).max().unwrap_or(0);
+        let bits = widest(gathers);
         need(bits < PIXEL, || {
             format!(
                 "the box or its limit has a register of {bits} bits; at most {} are possible",

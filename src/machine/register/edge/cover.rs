@@ -149,7 +149,7 @@ impl Cover {
                 self.wrap(if edge.negated { edge.step[0].wrapping_neg() } else { edge.step[0] });
             let last = step.checked_mul(range.end - 1 - range.start);
             let ends = last.and_then(|last| Some((word, word.checked_add(last)?)));
-            let held = |word: i64| word > bottom + 1 && word < top;
+            let held = |word: i64| word > bottom + 1 && word < top && step != i64::MIN;
             let Some((word, _)) = ends.filter(|ends| bounded && held(ends.0) && held(ends.1))
             else {
                 known = false;

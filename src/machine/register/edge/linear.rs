@@ -49,7 +49,7 @@ impl Setup {
             let away = (i128::from(pixel[axis]) << from.sub_pixel) + from.away[axis];
             (i128::from(self.slopes[axis]) * away) >> from.sub_pixel
         };
-        fold(self.start + term(0) + term(1), self.width) >> self.cut
+        fold(self.start.wrapping_add(term(0) + term(1)), self.width) >> self.cut
     }
 }
 
@@ -186,6 +186,6 @@ impl EdgeFunctions {
             fold(divider.divide(number, left, product.unwrap_or(PRODUCT)), width)
         });
         let half = if half { 1 << fraction >> 1 } else { 0 };
-        Setup { start: (v[0] << places) + half, slopes, width, cut }
+        Setup { start: (v[0] << places).wrapping_add(half), slopes, width, cut }
     }
 }
