@@ -291,6 +291,11 @@ fn register_machines_have_golden_sets() {
             "signed-distance = false",
             "signed-distance is false",
         ),
+        ("rasterix", "\"zigzag\"", "\"serpentine\"", "order is serpentine instead of zigzag"),
+        ("picogs", "beyond-box = true", "beyond-box = false", "order.beyond-box is false"),
+        ("picogs", "replicate = 12", "replicate = 11", "(r, g, b, a): replicate is 11"),
+        ("graphite", "try-first = true", "try-first = false", "box.try-first is false"),
+        ("graphite", "scale = 63", "scale = 64", "channels (g): scale is 64 instead of 63"),
     ];
     let mut written = "";
     for (name, from, to, cause) in defects {

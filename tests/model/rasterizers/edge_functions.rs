@@ -147,6 +147,61 @@ fn parts_combine() {
     assert!(drawn > 20_000 && seen > 3000, "{drawn} {seen}");
 }
 
+/// Clauses RE-1, RE-2, RE-5, RE-6, RE-7, RE-8 and RE-9: two cases of each machine's own RTL, by the count of records and the
+/// digest of all their words in order: h = (h ^ word) 0x100000001b3, mod 2^64.
+#[test]
+fn cases_of_the_hardware() {
+    let cases: [(&str, &str, usize, u64); 6] = [
+        (
+            "rasterix",
+            "1fc0070 20d007a 227ef ffffd4a0 ffffdd40 fffdc9e5 3ee0 23c0 acbc ffffec80 ffffff00 c9459995 9d2a4db 680f102 d80237 fffc4a4f fffc6141 10bb58c ffece729 fff69fbf c7d213 2abd2 fff4b25f ba80802a ea467c53 f7f37a7a",
+            18,
+            0x8492_f9e0_2345_24a6,
+        ),
+        (
+            "rasterix",
+            "1a0003 470037 22c4d0 ffffea40 ffff34c0 31a4 b120 ffffffa0 33c0 ffff64a0 cba0 207099af bba546 ff7449b8 50ebfa 11601 24fc2 7d3045 fffdd339 307 b7df22 ffff7398 14581 db7919fe fffb1ced e3c9c8",
+            1136,
+            0xb20b_e4ae_9411_6ed5,
+        ),
+        (
+            "picogs",
+            "9 9 0 1e00 a7b2 6094563 50 1e20 c202 dd36d66d 30 1e50 88f1 eeb9a81",
+            12,
+            0xaf34_2a03_e86b_e9ca,
+        ),
+        (
+            "picogs",
+            "9 9 51 1dfa d18f a00d0723 25 1e1e 83a9 e853dd01 3ff9 1e42 ed32 5007fc4f",
+            788,
+            0xabae_ff4f_4529_52d7,
+        ),
+        (
+            "graphite",
+            "1bc000 20000 1374 1b8000 ffffc000 2f11 1b4000 c000 d6e 3877 2950 176d d39 2ec3 d2b 840 1905 1a6b",
+            8,
+            0x0628_25ca_011d_118d,
+        ),
+        (
+            "graphite",
+            "105000 130000 2e4b 16d000 e0000 222a fb000 df000 727 3841 1d21 3c64 1ded 3b67 167d 14ac 211e 2f14",
+            298,
+            0x75ea_8a9b_93ac_e6a6,
+        ),
+    ];
+    for (name, text, count, digest) in cases {
+        let model = Model::new(&guardbit::profile::load(name).unwrap()).unwrap();
+        let registers = model.registers().unwrap();
+        let words = registers.parse(&text.split(' ').collect::<Vec<_>>()).unwrap();
+        let drawn = records(&model, &words);
+        let words = drawn.iter().flat_map(|(kind, values)| registers.records[*kind].words(values));
+        let got = words.fold(0xcbf2_9ce4_8422_2325u64, |held, word| {
+            (held ^ u64::from(word)).wrapping_mul(0x0100_0000_01b3)
+        });
+        assert_eq!((drawn.len(), got), (count, digest), "{name}");
+    }
+}
+
 /// Parts of one winding over whole pixels, with nothing special.
 fn plain(rule: &'static str, winding: &'static str) -> Parts {
     Parts {
