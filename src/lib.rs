@@ -121,6 +121,7 @@ mod spec {
         Channels "24-channels.md",
         Identify "25-identify.md",
         Envelope "26-envelope.md",
-        Conservative "27-conservative.md"
+        Conservative "27-conservative.md",
+        LineRegisters "29-line-registers.md"
     );
 }

@@ -46,11 +46,12 @@ pub use rasterizer::{
     Carries, EveryLinear, Face, FormError, Intake, Kind, Polygons, Rasterizer, Step,
 };
 pub use register::{
-    Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Descent, Emit, EngineConfig, HalfOrder,
-    Largest, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record, RecordConfig,
-    RegisterConfig, RegisterDevice, RegisterError, RegisterMachine, Registers, RowOrder,
-    SlopeConfig, SlopeEdges, SubScanlineConfig, VertexSort, WiredDevice, WiredEngine, WordsError,
-    columns,
+    Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Corner, Descent, Emit, EndOrder, EngineConfig,
+    FanConfig, FillConfig, Filler, FillerPlace, HalfOrder, Largest, LastPixel, LineDraws,
+    LinesConfig, MiddleRow, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record,
+    RecordConfig, RegisterConfig, RegisterDevice, RegisterError, RegisterMachine, Registers,
+    RowCounts, RowOrder, SlopeConfig, SlopeEdges, SpanEnd, SubScanlineConfig, VertexSort,
+    WiredDevice, WiredEngine, WordsError, columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
 pub use state::{RasterState, Site};
@@ -218,6 +219,14 @@ pub enum DrawError {
         /// Words given.
         got: usize,
     },
+    /// Registers that would keep the machine busy for longer than the caller allows. Spec clause `RG-4`.
+    #[error("the words take up to {steps} steps, but at most {most} are allowed")]
+    Work {
+        /// What they take: pixels, and whatever else is looked at.
+        steps: u128,
+        /// What is allowed.
+        most: u64,
+    },
     /// Numbers too large for exact 128-bit arithmetic.
     #[error("{what} = {value}: {low} <= {what} <= {high} is needed for this machine")]
     Range {
@@ -283,6 +292,11 @@ pub trait Sink {
     /// Whether [`Sink::record`] is wanted.
     fn wants_records(&self) -> bool {
         false
+    }
+
+    /// The most steps that registers may take: a few words can ask for more than anybody waits for.
+    fn most_steps(&self) -> u64 {
+        1 << 28
     }
 
     /// What a register machine writes, in drawing order: the kind of a record and its values, in the

@@ -4,6 +4,7 @@
 
 mod anchored;
 mod channel;
+mod lines;
 mod profiles;
 mod quads;
 mod slopes;

@@ -14,6 +14,11 @@ pub(super) trait Engine: Send + Sync + std::fmt::Debug {
     /// Draws what the words say; `emit` takes the kind of a record and its values.
     fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
 
+    /// The most steps that these words take, computed and not counted; 0 for an engine that states none.
+    fn work(&self, _: &[u32]) -> u128 {
+        0
+    }
+
     /// The words that a host would write for a triangle, one list or more, each of `count` words.
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>>;
 }
@@ -45,8 +50,8 @@ pub(super) trait EngineForm {
         target: Target,
     ) -> Result<Built, RegisterError>;
 
-    /// The registers of its clip rectangle.
-    fn clip(&self) -> ClipNames;
+    /// The registers of its clip rectangle; `None` without one.
+    fn clip(&self) -> Option<ClipNames>;
 
     /// The word that decides coverage; `None` where sides are exact.
     fn edge_word(&self) -> Option<Word>;
@@ -99,4 +104,6 @@ engines! {
     Slopes(super::SlopeConfig);
     /// Edges walked by their slopes, four sub-scanlines a row.
     SubScanlines(super::SubScanlineConfig);
+    /// Lines by a stepper of parts, fills between them, and fans of them.
+    Lines(super::LinesConfig);
 }

@@ -17,11 +17,11 @@ fn files_are_short_and_name_their_oracle() {
         real += u32::from(says);
         assert!(!matches!(load(name).unwrap().form, Form::Registers(_)) || says, "{name}");
     }
-    assert_eq!(real, 13, "8 register machines, 4 of Vulkan, Larrabee");
+    assert_eq!(real, 19, "14 register machines, 4 of Vulkan, Larrabee");
 }
 
 /// Clause RG-4: through its host every machine draws every triangle, but for samples near an edge: what lies a
-/// pixel and a half inside is there, what lies so far outside is not.
+/// pixel and a half inside is there, what lies so far outside is not. A machine that draws lines draws the edges.
 #[test]
 fn a_host_draws_what_the_exact_triangle_covers() {
     let view = View { window: Some((64, 64)), ..View::default() };
@@ -32,7 +32,9 @@ fn a_host_draws_what_the_exact_triangle_covers() {
         }
         let model = Model::with_view(&profile, view).unwrap();
         let mut words = guardbit::case::Words::new(3, 0, 0);
-        let mut samples = 0;
+        let (lines, mut samples) = (name.ends_with("-line"), 0);
+        // A line rounds, and its filler pixels lie beside it.
+        let near = if lines { 40 } else { 24 };
         for case in 0..60 {
             // In 1/16 pixel.
             let xy: [[i128; 2]; 3] =
@@ -52,16 +54,16 @@ fn a_host_draws_what_the_exact_triangle_covers() {
                 let centre = [x, y].map(|at| i128::from(at) * 16 + 8);
                 let is_drawn = drawn.contains(&(x, y));
                 assert!(
-                    is_drawn || !within(&xy, centre, 24),
-                    "{name}, case {case}: {x} {y} is missing of {xy:?}"
+                    is_drawn != lines || !within(&xy, centre, near),
+                    "{name}, case {case}: {x} {y} in the middle of {xy:?}"
                 );
                 assert!(
-                    !is_drawn || within(&xy, centre, -24),
+                    !is_drawn || within(&xy, centre, -near),
                     "{name}, case {case}: {x} {y} of {xy:?}"
                 );
             }
         }
-        assert!(samples > 10_000, "{name}: {samples}");
+        assert!(samples > if lines { 4000 } else { 10_000 }, "{name}: {samples}");
     }
 }
 

@@ -26,8 +26,8 @@ impl EngineForm for AnchoredConfig {
         self.engine(inputs, channels, vertex, target)
     }
 
-    fn clip(&self) -> ClipNames {
-        ClipNames { ends: ["left", "top", "right", "bottom"], sub_pixels: false, on: None }
+    fn clip(&self) -> Option<ClipNames> {
+        Some(ClipNames { ends: ["left", "top", "right", "bottom"], sub_pixels: false, on: None })
     }
 
     /// Its sides are exact.

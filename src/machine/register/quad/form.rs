@@ -26,12 +26,12 @@ impl EngineForm for QuadConfig {
         self.engine(inputs, &channels, vertex, target)
     }
 
-    fn clip(&self) -> ClipNames {
+    fn clip(&self) -> Option<ClipNames> {
         let (ends, sub_pixels) = match self.edges {
             QuadEdges::Given { .. } => (["x_min", "y_min", "x_max", "y_max"], false),
             QuadEdges::Vertices => (["left", "top", "right", "bottom"], true),
         };
-        ClipNames { ends, sub_pixels, on: None }
+        Some(ClipNames { ends, sub_pixels, on: None })
     }
 
     fn edge_word(&self) -> Option<Word> {

@@ -1,6 +1,6 @@
 //! The edges of the engine `slopes`: divided from vertices, or given. Spec clauses `RG-11` and `RG-12`.
 
-use super::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
+use super::{NAME, Plane, RowCounts, RowOrder, SlopeConfig, SlopeEdges};
 use crate::format::Gather;
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::setup::VertexConfig;
@@ -16,8 +16,17 @@ pub(super) struct EdgeInput {
 
 #[derive(Clone, Debug)]
 pub(super) enum Source {
-    Divided { vertices: [[Gather; 2]; 3], row_bias: i64 },
-    Given { start: [Gather; 2], slope: Gather, ends: [[Gather; 3]; 2], rows: RowOrder },
+    Divided {
+        vertices: [[Gather; 2]; 3],
+        row_bias: i64,
+    },
+    Given {
+        start: [Gather; 2],
+        slope: Gather,
+        ends: [[Gather; 3]; 2],
+        rows: RowOrder,
+        counts: RowCounts,
+    },
 }
 
 /// The edges of a triangle, read.
@@ -66,17 +75,25 @@ impl EdgeInput {
                 let vertices = [pair(["xa", "ya"])?, pair(["xb", "yb"])?, pair(["xc", "yc"])?];
                 (fraction, Source::Divided { vertices, row_bias: i64::from(row_bias) })
             }
-            SlopeEdges::Given { fraction, rows } => {
+            SlopeEdges::Given { fraction, rows, counts } => {
                 if !(1..=24).contains(&fraction) {
                     return Err(fault(format!("1 <= fraction = {fraction} <= 24 is needed")));
                 }
                 let ends = [
                     all(["end01", "end01_step", "rows01"])?,
-                    all(["end12", "end12_step", "rows12"])?,
+                    all(match counts {
+                        RowCounts::Each => ["end12", "end12_step", "rows12"],
+                        RowCounts::All => ["end12", "end12_step", "rows"],
+                    })?,
                 ];
+                let all_rows = &ends[1][2];
+                if counts == RowCounts::All && all_rows.bits() > 32 {
+                    let bits = all_rows.bits();
+                    return Err(fault(format!("rows has {bits} bits: at most 32 are needed")));
+                }
                 let start = pair(["x", "y"])?;
                 let slope = inputs.need(NAME, "x_step")?;
-                (fraction, Source::Given { start, slope, ends, rows })
+                (fraction, Source::Given { start, slope, ends, rows, counts })
             }
         };
         if let Plane::AtEdge { fraction: part } = config.plane
@@ -133,13 +150,24 @@ impl EdgeInput {
                     },
                 }
             }
-            Source::Given { start, slope, ends, rows } => {
+            Source::Given { start, slope, ends, rows, counts } => {
                 let x = [read(&start[0]), read(slope)];
+                let bits = ends[1][2].bits();
                 let end =
                     |[x, step, rows]: &[Gather; 3]| (read(x), read(step), rows.unsigned(words));
                 let y = i64::from(read(&start[1]));
                 let down = if *rows == RowOrder::Down { 1 } else { -1 };
-                let kind = Kind::Given { x, ends: [end(&ends[0]), end(&ends[1])], y, down };
+                let mut ends = ends.each_ref().map(end);
+                if *counts == RowCounts::All {
+                    // No rows at all are as many as the counter has states.
+                    let all = match ends[1].2 {
+                        0 => 1 << bits,
+                        all => all,
+                    };
+                    ends[0].2 = ends[0].2.min(all);
+                    ends[1].2 = all - ends[0].2;
+                }
+                let kind = Kind::Given { x, ends, y, down };
                 Walk { leftward, first_x: x[0], vertex: [0; 2], fraction, sub_pixel, kind }
             }
         }

@@ -25,9 +25,9 @@ impl EngineForm for SubScanlineConfig {
         self.engine(inputs, channels, vertex, target)
     }
 
-    fn clip(&self) -> ClipNames {
+    fn clip(&self) -> Option<ClipNames> {
         let ends = ["scissor_xh", "scissor_yh", "scissor_xl", "scissor_yl"];
-        ClipNames { ends, sub_pixels: true, on: None }
+        Some(ClipNames { ends, sub_pixels: true, on: None })
     }
 
     fn edge_word(&self) -> Option<Word> {

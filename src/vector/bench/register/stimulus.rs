@@ -278,7 +278,9 @@ impl RegisterStimulus {
 
     /// Sets a small clip rectangle; `near` a pixel that is drawn, an empty one among others.
     fn clip(&self, words: &mut [u32], near: bool, draw: &mut Words) {
-        let ClipRegisters { ends, sub_pixels, on } = &self.host.registers.clip;
+        let Some(ClipRegisters { ends, sub_pixels, on }) = &self.host.registers.clip else {
+            return;
+        };
         if let Some(on) = on {
             // Without its clip rectangle a machine draws too much.
             on.scatter(1, words);
