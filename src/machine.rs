@@ -47,7 +47,7 @@ pub use rasterizer::{
 };
 pub use register::{
     Anchor, AnchoredConfig, ClipEnds, ClipRegisters, Corner, Descent, Emit, EndOrder, EngineConfig,
-    FanConfig, FillConfig, Filler, FillerPlace, HalfOrder, Largest, LastPixel, LineDraws,
+    FanConfig, FillConfig, Filler, FillerPlace, HalfOrder, Largest, LastPixel, Legal, LineDraws,
     LinesConfig, MiddleRow, Plane, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule, Record,
     RecordConfig, RegisterConfig, RegisterDevice, RegisterError, RegisterMachine, Registers,
     RowCounts, RowOrder, SlopeConfig, SlopeEdges, SpanEnd, SubScanlineConfig, VertexSort,

@@ -6,7 +6,7 @@ mod limited;
 use super::Outcome;
 use super::failure::Failure;
 use bias::Models;
-use guardbit::machine::{DrawError, Registers, Sink};
+use guardbit::machine::{DrawError, Legal, Registers, Sink};
 use guardbit::model::{Drawing, Model, PixelDetail, Primitive, PrimitiveError, Records, View};
 use guardbit::profile;
 use guardbit::scene::lines;
@@ -40,7 +40,8 @@ const STEPS: u64 = 16;
 /// With channels, "channels": {"color": [[r,g,b], ...], ...} has their values in the order of "z".
 /// If the profile has several samples in each pixel, "masks" has one mask for each pixel.
 /// For "words", the output is {"id": 7, "out": [["P", ...], ...]}: one list for each record, in the order
-/// in which the hardware draws; "masked": [...] names the words with bits outside all fields.
+/// in which the hardware draws; "masked": [...] names the words with bits outside all fields, and "illegal": [...] the conditions of the
+/// profile that the words break.
 ///
 /// A bad line gives {"id": ..., "error": "..."}; the next lines are processed, and the exit status is 2.
 #[derive(Debug, clap::Args)]
@@ -215,6 +216,10 @@ fn reply_records(
     let masked = registers.input.dropped(words);
     if !masked.is_empty() {
         let _ = write!(answer, ", \"masked\": [\"{}\"]", masked.join("\", \""));
+    }
+    let illegal: Vec<&str> = registers.illegal(words).map(Legal::text).collect();
+    if !illegal.is_empty() {
+        let _ = write!(answer, ", \"illegal\": [\"{}\"]", illegal.join("\", \""));
     }
     answer.push('}');
     Ok(())

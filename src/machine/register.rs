@@ -7,6 +7,7 @@ mod engine;
 mod form;
 mod host;
 mod input;
+mod legal;
 mod lines;
 mod quad;
 mod slope;
@@ -17,6 +18,7 @@ pub use anchored::{Anchor, AnchoredConfig, HalfOrder, Largest, VertexSort};
 pub use device::{QuadDevice, RegisterDevice, WiredDevice, WiredEngine};
 pub use engine::EngineConfig;
 pub use input::RegisterError;
+pub use legal::Legal;
 pub use lines::{
     Corner, EndOrder, FanConfig, FillConfig, Filler, FillerPlace, LastPixel, LineDraws,
     LinesConfig, MiddleRow, SpanEnd,
@@ -47,6 +49,9 @@ pub struct RegisterConfig {
     pub radix: u32,
     /// The words it takes: the fields in each, as `NAME:BITS@LOWEST`.
     pub input: Vec<String>,
+    /// Which words a driver may write: comparisons of registers and numbers, such as `rows > 0`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub legal: Vec<String>,
     /// What it writes.
     pub records: Vec<RecordConfig>,
     /// Interpolated values.
@@ -115,6 +120,8 @@ pub struct Registers {
     pub input: Layout,
     /// What it writes.
     pub records: Vec<Record>,
+    /// What a driver keeps to.
+    pub legal: Vec<Legal>,
     /// What it leaves out, where there is a clip rectangle.
     pub clip: Option<ClipRegisters>,
 }
@@ -195,7 +202,9 @@ impl RegisterConfig {
             Ok::<_, RegisterError>(ClipRegisters { ends, sub_pixels, on })
         });
         let clip = clip.transpose()?;
-        let registers = Some(Registers { radix: self.radix, input, records, clip });
+        let legal = self.legal.iter().map(|text| Legal::parse(text, &input));
+        let legal = legal.collect::<Result<Vec<_>, _>>()?;
+        let registers = Some(Registers { radix: self.radix, input, records, legal, clip });
         let ports = Ports { registers, ..Ports::valued(vertex, Vec::new(), None) };
         Ok(RegisterMachine { engine, target, ports })
     }

@@ -145,7 +145,7 @@ impl Sink for Records {
 
     /// Words that draw so much more than is kept are not worth their time.
     fn most_steps(&self) -> u64 {
-        if self.most > Self::MOST { 1 << 28 } else { Self::MOST }
+        if self.most > Self::MOST { 1 << 28 } else { 1 << 26 }
     }
 
     fn record(&mut self, kind: usize, values: &[i64]) {

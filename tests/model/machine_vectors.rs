@@ -291,6 +291,11 @@ fn register_machines_have_golden_sets() {
             "signed-distance = false",
             "signed-distance is false",
         ),
+        ("projf-line", "\"together\"", "\"x-first\"", "lines.stepper.shared.looks is x-first"),
+        ("projf-fill", "\"both-ahead\"", "\"both\"", "lines.draws.fill.middle is both"),
+        ("saturn-line", "unlike = \"y\"", "unlike = \"x\"", "lines.filler.unlike is x"),
+        ("saturn-quad", "e >= -back", "e > -back", "lines.draws.fan.pace.when is"),
+        ("gplgpu", "pixel-bits = 16", "pixel-bits = 15", "slopes.pixel-bits is 15"),
     ];
     let mut written = "";
     for (name, from, to, cause) in defects {

@@ -100,7 +100,7 @@ pub struct SlopeSteps {
 #[serde(rename_all = "kebab-case")]
 pub enum Stepper {
     /// The longer axis moves in each step, and the shorter one by an error word.
-    Major(ErrorWord),
+    Major(Box<ErrorWord>),
     /// Both axes move by tests of one error word.
     Shared(Box<SharedError>),
     /// Both axes move by error words of their own.

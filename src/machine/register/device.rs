@@ -44,7 +44,7 @@ pub struct WiredDevice {
     pub rounding: Option<Rounding>,
     /// The machine, with one and the same value in each field that a parameter sets: two machines with equal
     /// ones have the same device.
-    pub wiring: RegisterConfig,
+    pub wiring: Box<RegisterConfig>,
 }
 
 /// The device that an engine asks for.
@@ -62,6 +62,7 @@ impl RegisterDevice {
         [values, facts]: [Vec<(&'static str, i128)>; 2],
         wiring: RegisterConfig,
     ) -> Self {
+        let wiring = Box::new(wiring);
         Self::Wired(WiredDevice { engine, values, facts, rounding: None, wiring })
     }
 }

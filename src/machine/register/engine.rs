@@ -14,7 +14,8 @@ pub(super) trait Engine: Send + Sync + std::fmt::Debug {
     /// Draws what the words say; `emit` takes the kind of a record and its values.
     fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
 
-    /// The most steps that these words take, computed and not counted; 0 for an engine that states none.
+    /// The most steps that these words take, found without drawing; 0 for an engine that states none.
+    /// Spec clause `RG-23`.
     fn work(&self, _: &[u32]) -> u128 {
         0
     }

@@ -6,6 +6,8 @@ mod form;
 mod host;
 mod row;
 
+pub use edge::{RowCounts, RowOrder};
+
 use super::input::{ChannelInput, Inputs, RegisterError};
 use super::{Built, Engine};
 use crate::format::Gather;
@@ -41,31 +43,8 @@ pub enum SlopeEdges {
     },
 }
 
-/// What the two counts of rows count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "verification", derive(JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RowCounts {
-    /// The rows of each short edge.
-    #[default]
-    Each,
-    /// The rows of the first short edge, and all rows.
-    All,
-}
-
 fn is_default<T: Default + PartialEq>(value: &T) -> bool {
     *value == T::default()
-}
-
-/// Which row comes next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "verification", derive(JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RowOrder {
-    /// The one below.
-    Down,
-    /// The one above.
-    Up,
 }
 
 /// Where channels start.
@@ -354,16 +333,7 @@ impl Engine for Slopes {
     }
 
     fn work(&self, words: &[u32]) -> u128 {
-        if self.config.pixel_bits.is_none() {
-            return 0;
-        }
-        let walk = self.edges.walk(words, self.sub_pixel);
-        let (window, mut steps) = (self.window(words), 0);
-        walk.rows(|_, _, start, end| {
-            let span = self.span(&walk, [start, end], &window);
-            steps += 1 + span.map_or(0, |span| u128::from(span.count.unsigned_abs()));
-        });
-        steps
+        self.steps(words)
     }
 
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {

@@ -493,5 +493,5 @@ fn endless_words_are_refused() {
     let mut few = guardbit::model::Records::up_to(1024);
     let error = model.draw(words.as_slice(), &mut few).unwrap_err().to_string();
     // 65537 rows of 65536 pixels: the middle row may be drawn twice.
-    assert_eq!(error, "the words take up to 4295032832 steps, but at most 4194304 are allowed");
+    assert_eq!(error, "the words take up to 4295032832 steps, but at most 67108864 are allowed");
 }

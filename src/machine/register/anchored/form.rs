@@ -51,7 +51,7 @@ impl EngineForm for AnchoredConfig {
             rounding: self.rounding,
             largest: None,
         };
-        let wiring = RegisterConfig { engine: same.into(), ..machine.clone() };
+        let wiring = Box::new(RegisterConfig { engine: same.into(), ..machine.clone() });
         let (engine, rounding) = (WiredEngine::Anchored, Some(self.rounding));
         let facts = Vec::new();
         Some(RegisterDevice::Wired(WiredDevice { engine, values, facts, rounding, wiring }))

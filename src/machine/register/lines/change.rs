@@ -123,7 +123,9 @@ pub(super) fn stepper_changes(stepper: &Stepper) -> Vec<Change<Stepper>> {
     match stepper {
         Stepper::Major(word) => {
             let changes = word_changes(word).into_iter();
-            changes.map(|change| change.within("major", Stepper::Major)).collect()
+            changes
+                .map(|change| change.within("major", |word| Stepper::Major(Box::new(word))))
+                .collect()
         }
         Stepper::Shared(shared) => {
             let changes = shared_changes(shared).into_iter();

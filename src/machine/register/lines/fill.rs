@@ -122,7 +122,9 @@ impl Lines {
             pixels.reverse();
         }
         let mut rows = Rows::default();
-        pixels.into_iter().for_each(|at| rows.add(at));
+        for at in pixels {
+            rows.add(at);
+        }
         rows
     }
 

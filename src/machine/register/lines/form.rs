@@ -93,10 +93,12 @@ impl LinesConfig {
             return;
         }
         let Some(was) = self.filler else {
-            for (alike, unlike) in [(Corner::X, Corner::Y), (Corner::Y, Corner::X)] {
+            for (alike, unlike, name) in [
+                (Corner::X, Corner::Y, "alike x, unlike y"),
+                (Corner::Y, Corner::X, "alike y, unlike x"),
+            ] {
                 let filler = Filler { alike, unlike, place: FillerPlace::After };
-                steps
-                    .add("filler", &"one more pixel", &"none", |lines| lines.filler = Some(filler));
+                steps.add("filler", &name, &"none", |lines| lines.filler = Some(filler));
             }
             return;
         };

@@ -55,7 +55,7 @@ impl EngineForm for QuadConfig {
                 values: Vec::new(),
                 facts,
                 rounding: None,
-                wiring: machine.clone(),
+                wiring: Box::new(machine.clone()),
             }));
         }
         let input = Layout::parse(&machine.input).ok()?;

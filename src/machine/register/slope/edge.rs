@@ -1,9 +1,35 @@
 //! The edges of the engine `slopes`: divided from vertices, or given. Spec clauses `RG-11` and `RG-12`.
 
-use super::{NAME, Plane, RowCounts, RowOrder, SlopeConfig, SlopeEdges};
+use super::{NAME, Plane, SlopeConfig, SlopeEdges};
 use crate::format::Gather;
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::setup::VertexConfig;
+#[cfg(feature = "verification")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Which row comes next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum RowOrder {
+    /// The one below.
+    Down,
+    /// The one above.
+    Up,
+}
+
+/// What the two counts of rows count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum RowCounts {
+    /// The rows of each short edge.
+    #[default]
+    Each,
+    /// The rows of the first short edge, and all rows.
+    All,
+}
 
 /// Where the registers of the edges lie.
 #[derive(Clone, Debug)]
@@ -192,6 +218,14 @@ impl Walk {
         let mask = (1i32 << self.fraction) - 1;
         let fraction = i64::from(x.wrapping_sub(1) & mask) >> (self.fraction - bits);
         if self.leftward { fraction } else { (1 << bits) - fraction }
+    }
+
+    /// How many rows there are.
+    pub(super) fn count(&self) -> u64 {
+        match self.kind {
+            Kind::Divided { rows, .. } => (rows[1] - rows[0]).max(0).unsigned_abs(),
+            Kind::Given { ends, .. } => ends[0].2.saturating_add(ends[1].2),
+        }
     }
 
     /// Calls `row` with the number of the row from the first, y, and x of both ends.

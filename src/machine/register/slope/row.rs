@@ -21,7 +21,24 @@ pub(super) struct Span {
     pub(super) step: i64,
 }
 
+/// Rows that are looked at for how many pixels they have; nobody allows as many.
+const MOST_ROWS: u64 = 1 << 28;
+
 impl Slopes {
+    /// Rows, and the pixels in them.
+    pub(super) fn steps(&self, words: &[u32]) -> u128 {
+        let walk = self.edges.walk(words, self.sub_pixel);
+        let (window, mut steps) = (self.window(words), 0);
+        if walk.count() > MOST_ROWS {
+            return walk.count().into();
+        }
+        walk.rows(|_, _, start, end| {
+            let span = self.span(&walk, [start, end], &window);
+            steps += 1 + span.map_or(0, |span| u128::from(span.count.unsigned_abs()));
+        });
+        steps
+    }
+
     pub(super) fn window(&self, words: &[u32]) -> Window {
         let on = self.clips.as_ref().is_none_or(|clips| clips.unsigned(words) != 0);
         let Some(clip) = self.clip.as_ref().filter(|_| on) else {
@@ -47,7 +64,7 @@ impl Slopes {
             ends.map(|x| self.number(walk.pixel(x, self.config.pixel_bias) - back));
         if let Some(bits) = self.config.pixel_bits {
             // The counter has no sign: ends that have changed places are far apart.
-            let count = (end - unclipped) * step & ((1 << bits) - 1);
+            let count = ((end - unclipped) * step) & ((1 << bits) - 1);
             return (count > 0).then_some(Span { unclipped, first: unclipped, count, step });
         }
         let first;
