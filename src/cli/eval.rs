@@ -6,7 +6,7 @@ mod limited;
 use super::Outcome;
 use super::failure::Failure;
 use bias::Models;
-use guardbit::machine::{Registers, Sink};
+use guardbit::machine::{DrawError, Legal, Registers, Sink};
 use guardbit::model::{Drawing, Model, PixelDetail, Primitive, PrimitiveError, Records, View};
 use guardbit::profile;
 use guardbit::scene::lines;
@@ -16,6 +16,9 @@ use std::io::{BufRead, Write};
 
 /// Longest line read, so that input without newlines cannot fill the memory.
 const LONGEST: u64 = 1 << 24;
+
+/// Steps that registers may take for each record that an answer may have.
+const STEPS: u64 = 16;
 
 /// Run the model on a pipe: JSON Lines in, JSON Lines out, flushed after each line.
 ///
@@ -39,7 +42,8 @@ const LONGEST: u64 = 1 << 24;
 /// With channels, "channels": {"color": [[r,g,b], ...], ...} has their values in the order of "z".
 /// If the profile has several samples in each pixel, "masks" has one mask for each pixel.
 /// For "words", the output is {"id": 7, "out": [["P", ...], ...]}: one list for each record, in the order
-/// in which the hardware draws; "masked": [...] names the words with bits outside all fields.
+/// in which the hardware draws; "masked": [...] names the words with bits outside all fields, and "illegal": [...] the conditions of the
+/// profile that the words break.
 ///
 /// A bad line gives {"id": ..., "error": "..."}; the next lines are processed, and the exit status is 2.
 #[derive(Debug, clap::Args)]
@@ -176,6 +180,10 @@ fn reply_records(
     impl Sink for Lines<'_> {
         fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
 
+        fn most_steps(&self) -> u64 {
+            self.most.saturating_mul(STEPS)
+        }
+
         fn record(&mut self, kind: usize, values: &[i64]) {
             self.rows += 1;
             if self.rows > self.most {
@@ -191,9 +199,16 @@ fn reply_records(
     };
     let _ = write!(answer, "{{\"id\": {}, \"out\": [", id.unwrap_or("null"));
     let mut records = Lines { registers, answer, rows: 0, most };
-    model.draw(primitive, &mut records).map_err(|error| error.to_string())?;
-    if records.rows > most {
-        let rows = records.rows;
+    let drawn = model.draw(primitive, &mut records);
+    let rows = records.rows;
+    if let Err(error) = drawn {
+        answer.clear();
+        return Err(match error {
+            DrawError::Work { .. } => format!("{error}; --limit N allows {STEPS} N steps"),
+            other => other.to_string(),
+        });
+    }
+    if rows > most {
         answer.clear();
         return Err(format!(
             "the hardware draws {rows} records, but an answer has at most {most}; --limit N allows more"
@@ -203,6 +218,10 @@ fn reply_records(
     let masked = registers.input.dropped(words);
     if !masked.is_empty() {
         let _ = write!(answer, ", \"masked\": [\"{}\"]", masked.join("\", \""));
+    }
+    let illegal: Vec<&str> = registers.illegal(words).map(Legal::text).collect();
+    if !illegal.is_empty() {
+        let _ = write!(answer, ", \"illegal\": [\"{}\"]", illegal.join("\", \""));
     }
     answer.push('}');
     Ok(())

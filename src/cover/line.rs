@@ -4,10 +4,17 @@
 mod diamond;
 mod march;
 mod step;
+mod stepper;
+mod sum;
 mod wide;
 
 pub use march::march;
 pub use step::{Tie, bresenham, incremental, integer_incremental, midpoint, naive};
+pub use stepper::{
+    AxisMove, ErrorState, ErrorWord, Looks, OwnErrors, SharedError, SlopeSteps, Stepper,
+    StepperError,
+};
+pub use sum::{Measures, Sum, SumError, Test};
 
 use super::rect::Rect;
 use super::sample::SampleGrid;

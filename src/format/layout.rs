@@ -316,6 +316,11 @@ impl Gather {
         self.pieces.iter().map(|piece| piece.from + piece.width).max().unwrap_or(0)
     }
 
+    /// The lowest bit of the value that is in the list.
+    pub fn lowest(&self) -> u32 {
+        self.pieces.iter().map(|piece| piece.from).min().unwrap_or(0)
+    }
+
     /// The value, zeros above its bits.
     pub fn unsigned(&self, words: &[u32]) -> u64 {
         self.pieces.iter().fold(0, |value, piece| {

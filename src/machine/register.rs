@@ -8,6 +8,8 @@ mod engine;
 mod form;
 mod host;
 mod input;
+mod legal;
+mod lines;
 mod quad;
 mod slope;
 mod sub_scanline;
@@ -21,8 +23,13 @@ pub use edge::{
 };
 pub use engine::EngineConfig;
 pub use input::RegisterError;
+pub use legal::Legal;
+pub use lines::{
+    Corner, EndOrder, FanConfig, FillConfig, Filler, FillerPlace, LastPixel, LineDraws,
+    LinesConfig, MiddleRow, SpanEnd,
+};
 pub use quad::{Descent, Emit, QuadConfig, QuadEdges, QuadRule};
-pub use slope::{ClipEnds, Plane, RowOrder, SlopeConfig, SlopeEdges};
+pub use slope::{ClipEnds, Plane, RowCounts, RowOrder, SlopeConfig, SlopeEdges};
 pub use sub_scanline::{Product, SubScanlineConfig};
 pub use text::WordsError;
 
@@ -47,6 +54,9 @@ pub struct RegisterConfig {
     pub radix: u32,
     /// The words it takes: the fields in each, as `NAME:BITS@LOWEST`.
     pub input: Vec<String>,
+    /// Which words a driver may write: comparisons of registers and numbers, such as `rows > 0`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub legal: Vec<String>,
     /// What it writes.
     pub records: Vec<RecordConfig>,
     /// Interpolated values.
@@ -115,7 +125,9 @@ pub struct Registers {
     pub input: Layout,
     /// What it writes.
     pub records: Vec<Record>,
-    /// What it leaves out; `None` where no register says it.
+    /// What a driver keeps to.
+    pub legal: Vec<Legal>,
+    /// What it leaves out, where there is a clip rectangle.
     pub clip: Option<ClipRegisters>,
 }
 
@@ -196,15 +208,15 @@ impl RegisterConfig {
             Ok(Record { letter, names, layout, packer, drawn })
         });
         let records = records.collect::<Result<Vec<_>, RegisterError>>()?;
-        let clip = match self.engine.form().clip() {
-            None => None,
-            Some(ClipNames { ends, sub_pixels, on }) => {
-                let ends = inputs.all(self.engine.name(), ends)?;
-                let on = on.and_then(|name| input.find(name));
-                Some(ClipRegisters { ends, sub_pixels, on })
-            }
-        };
-        let registers = Some(Registers { radix: self.radix, input, records, clip });
+        let clip = self.engine.form().clip().map(|ClipNames { ends, sub_pixels, on }| {
+            let ends = inputs.all(self.engine.name(), ends)?;
+            let on = on.and_then(|name| input.find(name));
+            Ok::<_, RegisterError>(ClipRegisters { ends, sub_pixels, on })
+        });
+        let clip = clip.transpose()?;
+        let legal = self.legal.iter().map(|text| Legal::parse(text, &input));
+        let legal = legal.collect::<Result<Vec<_>, _>>()?;
+        let registers = Some(Registers { radix: self.radix, input, records, legal, clip });
         let ports = Ports { registers, ..Ports::valued(vertex, Vec::new(), None) };
         Ok(RegisterMachine { engine, target, ports })
     }
@@ -216,28 +228,36 @@ impl RegisterMachine {
         self.ports.registers.as_ref().map_or(0, |registers| registers.input.len())
     }
 
+    /// Refuses words that take too many steps.
+    fn allow(&self, words: &[u32], out: &dyn Sink) -> Result<(), DrawError> {
+        let (steps, most) = (self.engine.work(words), out.most_steps());
+        if steps > u128::from(most) { Err(DrawError::Work { steps, most }) } else { Ok(()) }
+    }
+
     /// The pixels of a triangle, by way of the registers that a host would write for it.
-    fn triangle(&self, triangle: &Triangle, out: &mut dyn Sink) {
+    fn triangle(&self, triangle: &Triangle, out: &mut dyn Sink) -> Result<(), DrawError> {
         if triangle.area2() == 0 {
             out.zero_area();
         }
-        let Some(registers) = &self.ports.registers else { return };
+        let Some(registers) = &self.ports.registers else { return Ok(()) };
         let mut pixels: Vec<(i64, i64)> = Vec::new();
         let wanted = out.wants_records();
-        for words in self.host(triangle) {
-            self.engine.run(&words, &mut |kind, values| {
-                pixels.extend(registers.records[kind].pixels(values).map(|[x, y]| (y, x)));
-                if wanted {
-                    out.record(kind, values);
-                }
-            });
-        }
         let clip = &self.target.clip;
         let inside = |value: i64, axis| {
             let (low, high) = clip.clip(axis, (i128::from(value), i128::from(value) + 1));
             low < high
         };
-        pixels.retain(|&(y, x)| inside(x, 0) && inside(y, 1));
+        for words in self.host(triangle) {
+            self.allow(&words, out)?;
+            self.engine.run(&words, &mut |kind, values| {
+                let drawn = registers.records[kind].pixels(values);
+                let drawn = drawn.filter(|&[x, y]| inside(x, 0) && inside(y, 1));
+                pixels.extend(drawn.map(|[x, y]| (y, x)));
+                if wanted {
+                    out.record(kind, values);
+                }
+            });
+        }
         pixels.sort_unstable();
         pixels.dedup();
         for run in pixels.chunk_by(|a, b| a.0 == b.0 && a.1 + 1 == b.1) {
@@ -245,6 +265,7 @@ impl RegisterMachine {
             let ((y, x0), length) = (run[0], run.len());
             out.span(at(y), at(x0), at(x0) + bounded::<_, u32>(length), &[]);
         }
+        Ok(())
     }
 }
 
@@ -263,13 +284,11 @@ impl Machine for RegisterMachine {
                 if words.len() != self.count() {
                     return Err(DrawError::Words { need: self.count(), got: words.len() });
                 }
+                self.allow(words, out)?;
                 self.engine.run(words, &mut |kind, values| out.record(kind, values));
                 Ok(())
             }
-            Input::Triangle(triangle) => {
-                self.triangle(triangle, out);
-                Ok(())
-            }
+            Input::Triangle(triangle) => self.triangle(triangle, out),
             other => Err(DrawError::Primitive(other.name())),
         }
     }

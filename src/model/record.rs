@@ -150,6 +150,11 @@ impl Sink for Records {
         true
     }
 
+    /// Words that draw so much more than is kept are not worth their time.
+    fn most_steps(&self) -> u64 {
+        if self.most > Self::MOST { 1 << 28 } else { 1 << 26 }
+    }
+
     fn record(&mut self, kind: usize, values: &[i64]) {
         self.total += 1;
         if self.is_whole() {

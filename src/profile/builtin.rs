@@ -4,7 +4,7 @@ use super::Profile;
 use super::load::{ProfileError, parse};
 
 /// Name and text of each built-in profile; the first is the default.
-pub const BUILTIN: [(&str, &str); 24] = [
+pub const BUILTIN: [(&str, &str); 30] = [
     ("sgi-4k", include_str!("../../profiles/sgi-4k.toml")),
     ("sgi-4k-walk", include_str!("../../profiles/sgi-4k-walk.toml")),
     ("d3d11", include_str!("../../profiles/d3d11.toml")),
@@ -29,6 +29,12 @@ pub const BUILTIN: [(&str, &str); 24] = [
     ("rasterix", include_str!("../../profiles/rasterix.toml")),
     ("picogs", include_str!("../../profiles/picogs.toml")),
     ("graphite", include_str!("../../profiles/graphite.toml")),
+    ("projf-line", include_str!("../../profiles/projf-line.toml")),
+    ("projf-fill", include_str!("../../profiles/projf-fill.toml")),
+    ("saturn-line", include_str!("../../profiles/saturn-line.toml")),
+    ("saturn-quad", include_str!("../../profiles/saturn-quad.toml")),
+    ("ps1-line", include_str!("../../profiles/ps1-line.toml")),
+    ("gplgpu", include_str!("../../profiles/gplgpu.toml")),
 ];
 
 /// The built-in profile of this name.

@@ -18,6 +18,16 @@ const NO_SYSTEMVERILOG: [(&str, &str, &str); 8] = [
     ("n64-rtl", "sub-scanlines", "sub_scanline_engine.sv"),
 ];
 
+/// Profiles without a reference, and their engines.
+const NO_REFERENCE: [(&str, &str); 6] = [
+    ("projf-line", "lines"),
+    ("projf-fill", "lines"),
+    ("saturn-line", "lines"),
+    ("saturn-quad", "lines"),
+    ("ps1-line", "lines"),
+    ("gplgpu", "slopes"),
+];
+
 // Clause J-8
 #[test]
 fn a_profile_is_exported_or_refused_by_name() {
@@ -35,6 +45,11 @@ fn a_profile_is_exported_or_refused_by_name() {
             } else if ["rasterix", "picogs", "graphite"].contains(&name) {
                 let ran =
                     export().complains(2, &[name, "no reference", "the machine is edge-functions"]);
+                assert!(ran.out.is_empty(), "{name}");
+            } else if let Some((_, machine)) = NO_REFERENCE.iter().find(|(named, _)| *named == name)
+            {
+                let reason = format!("the machine is {machine}");
+                let ran = export().complains(2, &[name, "no reference", &reason]);
                 assert!(ran.out.is_empty(), "{name}");
             } else if let Some((_, machine, device)) =
                 NO_SYSTEMVERILOG.iter().find(|(named, ..)| language == "sv" && *named == name)

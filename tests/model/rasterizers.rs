@@ -5,6 +5,7 @@
 mod anchored;
 mod channel;
 mod edge_functions;
+mod lines;
 mod profiles;
 mod quads;
 mod slopes;

@@ -93,7 +93,7 @@ pub(super) fn within(
 }
 
 /// Walks a line step by step: `step` says whether the minor axis moves, too.
-fn walk(
+pub(super) fn walk(
     ends: [[i128; 2]; 2],
     mut step: impl FnMut(i128, i128) -> bool,
     plot: &mut dyn FnMut([i128; 2]),

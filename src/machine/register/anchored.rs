@@ -178,6 +178,13 @@ const fn leftmost(v: [[i64; 2]; 3]) -> usize {
 }
 
 impl Anchored {
+    fn corners(&self, words: &[u32]) -> [[i64; 2]; 3] {
+        let read = |gather: &Gather| {
+            if self.signed { gather.signed(words) } else { gather.unsigned(words).cast_signed() }
+        };
+        self.vertices.each_ref().map(|vertex| vertex.each_ref().map(read))
+    }
+
     /// Vertices from top to bottom, and which of them is the anchor.
     fn sorted(&self, v: [[i64; 2]; 3]) -> ([Vertex; 3], usize) {
         let sorted = self.config.sort.order(v.map(|at| at[1])).map(|n| (v[n], n));
@@ -238,10 +245,7 @@ const fn ceiling(a: [i64; 2], b: [i64; 2], y: i64) -> i64 {
 
 impl Engine for Anchored {
     fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64])) {
-        let read = |gather: &Gather| {
-            if self.signed { gather.signed(words) } else { gather.unsigned(words).cast_signed() }
-        };
-        let v = self.vertices.each_ref().map(|vertex| vertex.each_ref().map(read));
+        let v = self.corners(words);
         let (sorted, anchor) = self.sorted(v);
         if self.too_large(&v) {
             return;
@@ -276,6 +280,19 @@ impl Engine for Anchored {
                 rows.for_each(|y| row(y, short));
             }
         }
+    }
+
+    /// The pixels of the clipped box.
+    fn work(&self, words: &[u32]) -> u128 {
+        let v = self.corners(words);
+        let [left, top, right, bottom] = self.clip.each_ref().map(|end| end.unsigned(words));
+        let side = |axis: usize, low: u64, high: u64| {
+            let all = v.map(|at| i128::from(at[axis]));
+            let first = all.into_iter().fold(i128::MAX, i128::min).max(low.into());
+            let last = all.into_iter().fold(i128::MIN, i128::max).min(high.into());
+            u128::try_from(last - first + 1).unwrap_or(0)
+        };
+        side(0, left, right) * side(1, top, bottom)
     }
 
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {

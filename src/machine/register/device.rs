@@ -62,7 +62,8 @@ impl RegisterDevice {
         [values, facts]: [Vec<(&'static str, i128)>; 2],
         wiring: RegisterConfig,
     ) -> Self {
-        Self::Wired(WiredDevice { engine, values, facts, rounding: None, wiring: Box::new(wiring) })
+        let wiring = Box::new(wiring);
+        Self::Wired(WiredDevice { engine, values, facts, rounding: None, wiring })
     }
 }
 

@@ -14,6 +14,12 @@ pub(super) trait Engine: Send + Sync + std::fmt::Debug {
     /// Draws what the words say; `emit` takes the kind of a record and its values.
     fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
 
+    /// The most steps that these words take, found without drawing; 0 for an engine that states none.
+    /// Spec clause `RG-23`.
+    fn work(&self, _: &[u32]) -> u128 {
+        0
+    }
+
     /// The words that a host would write for a triangle, one list or more, each of `count` words.
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>>;
 }
@@ -106,4 +112,6 @@ engines! {
     SubScanlines(super::SubScanlineConfig);
     /// Edge functions with linear channels, made of parts.
     EdgeFunctions(super::EdgeEngineConfig);
+    /// Lines by a stepper of parts, fills between them, and fans of them.
+    Lines(super::LinesConfig);
 }

@@ -14,6 +14,12 @@ pub enum RegisterError {
     /// The list of registers.
     #[error("input: {0}")]
     Input(LayoutError),
+    /// A condition that cannot be read.
+    #[error(
+        "legal: {0:?} is not a condition; a condition is two sides with >=, <=, ==, !=, > or < between them, \
+         and a side is a number, a register of `input`, or `signed` and a register"
+    )]
+    Legal(String),
     /// A register that the engine needs.
     #[error("input: the engine {engine} needs a register {name:?}")]
     Missing {
@@ -82,6 +88,7 @@ impl RegisterError {
     /// The table or key the fault lies in, from the profile's root.
     pub const fn field(&self) -> &'static [&'static str] {
         match self {
+            Self::Legal(_) => &["form", "registers", "legal"],
             Self::Radix(_) => &["form", "registers", "radix"],
             Self::Input(_) | Self::Missing { .. } | Self::Unknown { .. } => {
                 &["form", "registers", "input"]

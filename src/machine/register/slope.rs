@@ -4,6 +4,9 @@
 mod edge;
 mod form;
 mod host;
+mod row;
+
+pub use edge::{RowCounts, RowOrder};
 
 use super::input::{ChannelInput, Inputs, RegisterError};
 use super::{Built, Engine};
@@ -34,18 +37,14 @@ pub enum SlopeEdges {
         fraction: u32,
         /// Which row comes next.
         rows: RowOrder,
+        /// What the two counts of rows count.
+        #[serde(default, skip_serializing_if = "is_default")]
+        counts: RowCounts,
     },
 }
 
-/// Which row comes next.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-#[cfg_attr(feature = "verification", derive(JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum RowOrder {
-    /// The one below.
-    Down,
-    /// The one above.
-    Up,
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 /// Where channels start.
@@ -60,6 +59,8 @@ pub enum Plane {
         /// Bits of that part.
         fraction: u32,
     },
+    /// At a point of the window: a pixel has the exact distance from it on both axes.
+    AtPoint {},
 }
 
 /// What the clip rectangle's ends are.
@@ -95,20 +96,28 @@ pub struct SlopeConfig {
     pub pixel_bias: u32,
     /// Where channels start.
     pub plane: Plane,
-    /// What the clip rectangle's ends are.
-    pub clip: ClipEnds,
+    /// What the clip rectangle's ends are; there is none when absent.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub clip: Option<ClipEnds>,
+    /// Bits of the numbers of pixels and rows, and of the count of pixels in a row; they wrap. As many as x
+    /// has when absent, and a row whose ends have changed places is empty.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pixel_bits: Option<u32>,
     /// Depth from one of two channels; none when absent.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub depth: Option<DepthChoice>,
 }
 
 pub(super) const NAME: &str = "slopes";
+const CLIP: [&str; 4] = ["clip_left", "clip_right", "clip_top", "clip_bottom"];
 
 #[derive(Clone, Debug)]
 pub(super) struct Slopes {
     pub(super) config: SlopeConfig,
     edges: EdgeInput,
-    pub(super) clip: [Gather; 4],
+    pub(super) clip: Option<[Gather; 4]>,
+    /// The point that channels start at; its y is that of the first row where there is no register.
+    pub(super) point: Option<(Gather, Option<Gather>)>,
     pub(super) clips: Option<Gather>,
     flip: Option<(Gather, Gather)>,
     pub(super) adjust: Option<Gather>,
@@ -126,12 +135,6 @@ struct Depth {
     by_w: Gather,
     biased: Gather,
     bias: Gather,
-}
-
-/// The pixels that may be drawn to: `[low, high)` on each axis.
-struct Window {
-    x: [i64; 2],
-    y: [i64; 2],
 }
 
 impl SlopeConfig {
@@ -171,6 +174,10 @@ impl SlopeConfig {
             Ok::<_, RegisterError>(Depth { integer, w_float, by_w, biased, bias })
         });
         let depth = depth.transpose()?;
+        let point = match self.plane {
+            Plane::AtPoint {} => Some((inputs.need(NAME, "anchor_x")?, inputs.may("anchor_y"))),
+            _ => None,
+        };
         let flip = match inputs.may("flip") {
             None => None,
             Some(flip) => Some((flip, inputs.need(NAME, "height")?)),
@@ -183,8 +190,9 @@ impl SlopeConfig {
         let engine = Slopes {
             config: self.clone(),
             edges,
-            clip: inputs.all(NAME, ["clip_left", "clip_right", "clip_top", "clip_bottom"])?,
-            clips: inputs.may("clip"),
+            clip: self.clip.map(|_| inputs.all(NAME, CLIP)).transpose()?,
+            clips: self.clip.and_then(|_| inputs.may("clip")),
+            point,
             flip,
             adjust: inputs.may("adjust"),
             channels,
@@ -192,6 +200,12 @@ impl SlopeConfig {
             target,
             sub_pixel: vertex.sub_pixel,
         };
+        if let Some(bits) = self.pixel_bits
+            && !(2..=32).contains(&bits)
+        {
+            let reason = format!("pixel-bits = {bits}: 2 to 32 bits are needed");
+            return Err(RegisterError::Together { engine: NAME, reason });
+        }
         if engine.adjust.is_some() && self.plane != (Plane::AtVertex {}) {
             return Err(RegisterError::Together {
                 engine: NAME,
@@ -204,19 +218,10 @@ impl SlopeConfig {
 }
 
 impl Slopes {
-    fn window(&self, words: &[u32]) -> Window {
-        let on = self.clips.as_ref().is_none_or(|clips| clips.unsigned(words) != 0);
-        if !on {
-            return Window { x: [i64::MIN, i64::MAX], y: [i64::MIN, i64::MAX] };
-        }
-        let [left, right, top, bottom] =
-            self.clip.each_ref().map(|gather| gather.unsigned(words).cast_signed());
-        let past = i64::from(self.config.clip == ClipEnds::Closed);
-        Window { x: [left, right + past], y: [top, bottom + past] }
-    }
-
     /// Starts and slopes of the channels, in accumulators.
     fn channels(&self, words: &[u32]) -> Vec<[i64; 3]> {
+        // A distance from a point has the fraction bits of x, so a start moves up by as many.
+        let up = if self.point.is_some() { self.edges.fraction } else { 0 };
         let channel = |(channel, input): &(Channel, ChannelInput)| {
             let start = match channel.start {
                 Extension::Sign => input.start.signed(words),
@@ -224,7 +229,7 @@ impl Slopes {
             };
             let along = channel.along(input.along.signed(words) << channel.shift_along);
             let down = input.down.signed(words) << channel.shift;
-            [start << channel.shift, along, down].map(|value| channel.wrap(value))
+            [start << (channel.shift + up), along, down].map(|value| channel.wrap(value))
         };
         self.channels.iter().map(channel).collect()
     }
@@ -272,36 +277,26 @@ impl Engine for Slopes {
         let mut accumulators = vec![0; self.channels.len()];
         let mut values =
             vec![0; 2 + self.channels.len() + if self.depth.is_some() { 2 } else { 0 }];
+        let mut point = None;
         walk.rows(|row, y, start, end| {
+            let y = self.number(y);
+            let point = *point.get_or_insert_with(|| self.point(words, y));
             if y < window.y[0] || y >= window.y[1] {
                 return;
             }
-            // Both ends are rounded alike and the right one is outside, whichever way a row runs.
-            let step: i64 = if walk.leftward { -1 } else { 1 };
-            let back = i64::from(walk.leftward);
-            let mut x = walk.pixel(start, self.config.pixel_bias) - back;
-            let mut end = walk.pixel(end, self.config.pixel_bias) - back;
+            let Some(span) = self.span(&walk, [start, end], &window) else { return };
             // Channels at the first pixel of the span, clipped or not.
             let (part, bits) = match self.config.plane {
-                Plane::AtVertex {} => (x - first, 0),
+                Plane::AtVertex {} => (span.unclipped - first, 0),
                 Plane::AtEdge { fraction } => (walk.part(start, fraction), fraction),
+                Plane::AtPoint {} => (0, 0),
             };
-            if walk.leftward {
-                end = end.max(window.x[0].saturating_sub(1));
-            } else {
-                end = end.min(window.x[1]);
-            }
-            let unclipped = x;
-            x = if walk.leftward { x.min(window.x[1] - 1) } else { x.max(window.x[0]) };
-            if (end - x) * step <= 0 {
-                return;
-            }
             // Steps in the direction of the walk add slopes that point along it.
             let along = match self.config.plane {
-                Plane::AtVertex {} => step,
                 Plane::AtEdge { .. } => 1,
+                _ => span.step,
             };
-            let skipped = (x - unclipped) * step;
+            let skipped = (span.first - span.unclipped) * span.step;
             for ((held, start), (channel, _)) in
                 accumulators.iter_mut().zip(&starts).zip(&self.channels)
             {
@@ -309,28 +304,36 @@ impl Engine for Slopes {
                 let at = channel.walk(start[0], start[2], row).wrapping_add(moved);
                 *held = channel.walk(at, start[1].wrapping_mul(along), skipped);
             }
-            while x != end {
+            let mut x = span.first;
+            for _ in 0..span.count {
                 values[0] = x;
                 values[1] = height.map_or(y, |height| height - 1 - y);
-                for ((value, held), (channel, _)) in
-                    values[2..].iter_mut().zip(&accumulators).zip(&self.channels)
-                {
-                    *value = channel.value(*held);
+                for (n, (channel, _)) in self.channels.iter().enumerate() {
+                    if let Some(point) = point {
+                        accumulators[n] = self.at_point(channel, starts[n], (point, [x, y]));
+                    }
+                    values[2 + n] = channel.value(accumulators[n]);
                 }
                 if let Some(depth) = &self.depth {
                     let last = values.len() - 2;
                     let made = self.depth(depth, words, &accumulators, &values);
                     values[last..].copy_from_slice(&made);
                 }
-                emit(0, &values);
+                if (window.x[0]..window.x[1]).contains(&x) {
+                    emit(0, &values);
+                }
                 for ((held, start), (channel, _)) in
                     accumulators.iter_mut().zip(&starts).zip(&self.channels)
                 {
                     *held = channel.wrap(held.wrapping_add(start[1].wrapping_mul(along)));
                 }
-                x += step;
+                x = self.number(x + span.step);
             }
         });
+    }
+
+    fn work(&self, words: &[u32]) -> u128 {
+        self.steps(words)
     }
 
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {

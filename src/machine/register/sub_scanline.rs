@@ -40,6 +40,8 @@ pub struct SubScanlineConfig {
     pub depth: String,
 }
 
+/// Which samples of a pixel are covered, and whether its first one is.
+const MASK: [&str; 2] = ["coverage_mask", "first_sample"];
 const NAME: &str = "sub-scanlines";
 
 /// Bits of the distance to the scissor.
@@ -125,6 +127,7 @@ impl SubScanlineConfig {
         }
         let mut pixel = names(&["x", "y", "coverage", "slope_code", "depth_code"]);
         pixel.extend(channels.iter().map(|channel| channel.name.clone()));
+        pixel.extend(names(&MASK));
         let engine = SubScanlines {
             config: self.clone(),
             rightward: inputs.need(NAME, "rightward")?,
@@ -139,6 +142,11 @@ impl SubScanlineConfig {
         };
         Ok((Box::new(engine), vec![line, pixel]))
     }
+}
+
+/// The sub-scanlines of whole rows.
+const fn sub_scanlines(high: i64, low: i64) -> std::ops::RangeInclusive<i64> {
+    (high & !3)..=(low | 3)
 }
 
 /// A product as the datapath keeps it.
@@ -216,7 +224,7 @@ impl Engine for SubScanlines {
         let ordered = |x: i64| (x ^ 1 << (X_BITS - 1)) & 0x3fff << 14;
         let mut line = Line::default();
         let mut span = Span::default();
-        for sub in (y_high & !3)..=(rows[1] | 3) {
+        for sub in sub_scanlines(y_high, rows[1]) {
             if sub == y_middle {
                 short = (x[0][0] & !1, step(x[0][1]));
             }
@@ -252,6 +260,14 @@ impl Engine for SubScanlines {
             long.0 = long.0.wrapping_add(long.1);
             short.0 = short.0.wrapping_add(short.1);
         }
+    }
+
+    /// Sub-scanlines; a row is no wider than a clamped x.
+    fn work(&self, words: &[u32]) -> u128 {
+        let [y_low, _, y_high] = self.y.each_ref().map(|gather| gather.signed(words));
+        let bottom = self.scissor[3].unsigned(words).cast_signed();
+        let (first, last) = sub_scanlines(y_high, y_low.min(bottom)).into_inner();
+        u128::try_from(i128::from(last) - i128::from(first) + 1).unwrap_or(0)
     }
 
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {

@@ -4,6 +4,7 @@
 use guardbit::model::{Drawing, Model, View};
 use guardbit::profile::{BUILTIN, Form, load, parse};
 use guardbit::scene::Triangle;
+use guardbit::vector::bench::{Bench as _, RegisterBench, Source, TestAt};
 use std::collections::BTreeSet;
 
 /// Clause RG-21: each file is at most 60 lines and says what it was held against.
@@ -17,11 +18,11 @@ fn files_are_short_and_name_their_oracle() {
         real += u32::from(says);
         assert!(!matches!(load(name).unwrap().form, Form::Registers(_)) || says, "{name}");
     }
-    assert_eq!(real, 16, "11 register machines, 4 of Vulkan, Larrabee");
+    assert_eq!(real, 22, "17 register machines, 4 of Vulkan, Larrabee");
 }
 
 /// Clause RG-4: through its host every machine draws every triangle, but for samples near an edge: what lies a
-/// pixel and a half inside is there, what lies so far outside is not.
+/// pixel and a half inside is there, what lies so far outside is not. A machine that draws lines draws the edges.
 #[test]
 fn a_host_draws_what_the_exact_triangle_covers() {
     let view = View { window: Some((64, 64)), ..View::default() };
@@ -32,7 +33,9 @@ fn a_host_draws_what_the_exact_triangle_covers() {
         }
         let model = Model::with_view(&profile, view).unwrap();
         let mut words = guardbit::case::Words::new(3, 0, 0);
-        let mut samples = 0;
+        let (lines, mut samples) = (name.ends_with("-line"), 0);
+        // A line rounds, as do the edges of a fan, and filler pixels lie beside it.
+        let near = if lines || name == "saturn-quad" { 40 } else { 24 };
         for case in 0..60 {
             // In 1/16 pixel.
             let xy: [[i128; 2]; 3] =
@@ -52,16 +55,16 @@ fn a_host_draws_what_the_exact_triangle_covers() {
                 let centre = [x, y].map(|at| i128::from(at) * 16 + 8);
                 let is_drawn = drawn.contains(&(x, y));
                 assert!(
-                    is_drawn || !within(&xy, centre, 24),
-                    "{name}, case {case}: {x} {y} is missing of {xy:?}"
+                    is_drawn != lines || !within(&xy, centre, near),
+                    "{name}, case {case}: {x} {y} in the middle of {xy:?}"
                 );
                 assert!(
-                    !is_drawn || within(&xy, centre, -24),
+                    !is_drawn || within(&xy, centre, -near),
                     "{name}, case {case}: {x} {y} of {xy:?}"
                 );
             }
         }
-        assert!(samples > 10_000, "{name}: {samples}");
+        assert!(samples > if lines { 4000 } else { 10_000 }, "{name}: {samples}");
     }
 }
 
@@ -260,4 +263,97 @@ fn budgets_name_the_words_of_a_machine() {
     assert_eq!(words("n64"), list(&n64));
     assert_eq!(words("ps1"), list(&[("vertex", 11), ("r, g, b, u, v", 20)]));
     assert_eq!(words("psp"), list(&[("vertex", 16), ("edge", 32)]));
+}
+
+/// Clause RG-4: a host turns a triangle to the side that the edge functions know. The hardware draws 780 pixels of
+/// this one in either order of its vertices.
+#[test]
+fn a_psp_triangle_is_drawn_from_either_side() {
+    let model = Model::new(&load("psp").unwrap()).unwrap();
+    for xy in [[[60, 50], [60, 10], [100, 50]], [[60, 10], [60, 50], [100, 50]]] {
+        let xy = xy.map(|at| at.map(|pixel| pixel * 16));
+        let mut drawing = Drawing::default();
+        model.draw(&model.snap(&Triangle::Lattice { xy, z: None }).unwrap(), &mut drawing).unwrap();
+        assert_eq!(drawing.samples(), 780);
+    }
+}
+
+/// Clause RG-23: each engine says how long its words take, before it takes that long.
+#[test]
+fn words_that_draw_nothing_for_minutes_are_refused() {
+    let of = |name: &str| BUILTIN.iter().find(|(known, _)| *known == name).unwrap().1.to_owned();
+    // 2^28 - 1 by 2^28 - 1 pixels and more, in sixteenths.
+    let range = of("psp").replace("\"right:17\", \"bottom:17\"", "\"right\", \"bottom\"");
+    // 2^32 - 1 rows twice.
+    let rows = of("virge").replace("rows01:11@16 rows12:11", "-a:11@16").replacen(
+        "\"-\", \"-\"",
+        "\"rows01\", \"rows12\"",
+        1,
+    );
+    let ends = of("n64")
+        .replace("yh:14 ym:14@16", "-yh0:14 ym:14@16")
+        .replace("\"z\", \"z_dx\"", "\"yh\", \"z_dx\"");
+    let ends = ends.replace("\"z_dy\",", "\"z_dy\", \"z\",");
+    for (name, text, set, steps) in [
+        ("psp", range, vec![("right", -1), ("bottom", -1)], (1u128 << 28).pow(2)),
+        ("virge", rows, vec![("rows01", -1), ("rows12", -1)], (1 << 33) - 2),
+        // From sub-scanline -2^31 to 3.
+        ("n64", ends, vec![("yh", -1 << 31)], (1 << 31) + 4),
+    ] {
+        let model = Model::new(&parse(&text, name).unwrap_or_else(|e| panic!("{e}"))).unwrap();
+        let input = &model.registers().unwrap().input;
+        let mut words = vec![0; input.len()];
+        for (register, value) in set {
+            input.find(register).unwrap().scatter(value, &mut words);
+        }
+        let mut records = guardbit::model::Records::up_to(u64::MAX);
+        let error = model.draw(words.as_slice(), &mut records).unwrap_err().to_string();
+        let expected =
+            format!("the words take up to {steps} steps, but at most {} are allowed", 1 << 28);
+        assert_eq!((error, records.total), (expected, 0), "{name}");
+    }
+}
+
+/// Clause RG-26: a condition is read, kept to by the words of a set, and broken in one class.
+#[test]
+fn legal_words_are_conditions_of_registers() {
+    let text = BUILTIN.iter().find(|(name, _)| *name == "psp").unwrap().1;
+    let legal = |conditions: &str| {
+        parse(
+            &text.replace("radix = 10\n", &format!("radix = 10\nlegal = {conditions}\n")),
+            "legal.toml",
+        )
+    };
+    let profile = legal("[\"left <= right\", \"signed x0 != -3\", \"12 > top\"]").unwrap();
+    let model = Model::new(&profile).unwrap();
+    let registers = model.registers().unwrap();
+    let broken = |words: [u32; 10]| -> Vec<String> {
+        registers.illegal(&words).map(|legal| legal.text().to_owned()).collect()
+    };
+    assert_eq!(broken([0, 0, 0, 0, 0, 0, 5, 11, 5, 0]), [""; 0]);
+    assert_eq!(
+        broken([0xfffd, 0, 0, 0, 0, 0, 5, 12, 4, 0]),
+        ["left <= right", "signed x0 != -3", "12 > top"]
+    );
+    for wrong in ["left < nowhere", "left", "left = right", "signed 5 < top", "5.5 < top"] {
+        let error = legal(&format!("[\"{wrong}\"]")).unwrap_err().to_string();
+        assert!(error.contains(wrong) && error.contains("is not a condition"), "{error}");
+    }
+    let (scene, values) = Default::default();
+    let source = Source { profile, scene, values, count: 4000, seed: 1 };
+    let bench = RegisterBench::new(&source).unwrap();
+    let mut seen = 0;
+    for (n, group) in bench.groups().iter().enumerate() {
+        for index in 0..group.tests {
+            let text = bench.describe(TestAt { group: n, index, test: 0 });
+            let words = text.strip_prefix("registers ").unwrap().split(' ');
+            let words: Vec<u32> =
+                words.map(|word| u32::from_str_radix(word, 16).unwrap()).collect();
+            let is_legal = registers.illegal(&words).next().is_none();
+            let breaks = group.class.tag == "register-illegal";
+            assert!(is_legal != breaks, "{} {index}: {text}", group.class.tag);
+            seen += u64::from(breaks);
+        }
+    }
+    assert!(seen >= 20, "{seen}");
 }

@@ -161,3 +161,74 @@ clip = \"closed\"
 fn n_of(number: i128) -> usize {
     usize::try_from(number).unwrap()
 }
+
+/// Clauses RG-24 and RG-25: counters of 5 bits that wrap, rows counted from the first one, and a channel at the exact
+/// distance from a point, against plain numbers. 64 pixels are 0 pixels more than 32, and 32 more than -32.
+#[test]
+fn counters_wrap_and_channels_have_a_point() {
+    let text = "radix = 16
+input = [\"x:8\", \"y:5\", \"x_step:8\", \"end01:8\", \"end01_step:8\", \"end12:8\", \"end12_step:8\",
+    \"rightward\", \"rows01:3\", \"rows:3\", \"anchor_x:8\", \"anchor_y:8\", \"c:5\", \"c_dx:5\", \"c_dy:5\"]
+records = [{ letter = \"P\", words = [\"x\", \"y\", \"c\"] }]
+channels = [{ names = [\"c\"], guard = 2, integer = 3, interpolation = 5, clamp = \"sign\" }]
+[form.registers.engine.slopes]
+edges = { given = { fraction = 3, rows = \"down\", counts = \"all\" } }
+pixel-bias = 7
+pixel-bits = 5
+plane = { at-point = {} }
+";
+    let model = model(4, 3, [0, 0], text);
+    let without = super::model(4, 3, [0, 0], &text.replace(" \"anchor_y:8\",", ""));
+    let (mut wrapped, mut drawn) = (0, 0);
+    for n in 0..6 * 6 * 3 * 4 * 5 * 2 {
+        let places = [-128, -37, -8, 0, 44, 121];
+        let (x, end) = (places[n_of(n % 6)], places[n_of(n / 6 % 6)]);
+        let (step, end_step) = ([-9, 0, 14][n_of(n / 36 % 3)], -3);
+        // The first short edge has none, some or all of the rows.
+        let (rows01, rows) = ([0, 2, 3, 7][n_of(n / 108 % 4)], [1, 2, 3, 5, 0][n_of(n / 432 % 5)]);
+        let rightward = n / 2160 == 1;
+        let (anchor, top) = ([11, -26], 13);
+        let [start, dx, dy] = [-7, 9, -13];
+        let list = |anchor: &[i128]| -> Vec<u32> {
+            let head = [x, top, step, end, end_step, 16, 5, i128::from(rightward), rows01, rows];
+            let all = head.into_iter().chain(anchor.iter().copied()).chain([start, dx, dy]);
+            all.map(word).collect()
+        };
+        let mut twin = |anchor: [i128; 2]| {
+            let mut found = Vec::new();
+            let all = if rows == 0 { 8 } else { rows };
+            for row in 0..all {
+                let long = x + step * row;
+                let short =
+                    if row < rows01 { end + end_step * row } else { 16 + 5 * (row - rows01) };
+                let (left, right) = if rightward { (long, short) } else { (short, long) };
+                // x has 32 bits here, so only the numbers of pixels wrap.
+                let [left, right] = [left, right].map(|x| (x + 7).div_euclid(8));
+                let count = (right - left).rem_euclid(32);
+                for k in 0..count {
+                    let x = wrap(if rightward { left + k } else { right - 1 - k }, 5);
+                    let y = wrap(top + row, 5);
+                    let held = start * 8 + (8 * x - anchor[0]) * dx + (8 * y - anchor[1]) * dy;
+                    let c = match held.rem_euclid(1024) {
+                        held if held >= 512 => 0,
+                        held if held >= 256 => 7,
+                        held => held / 32,
+                    };
+                    found.push(numbers(&[x, y, c]));
+                }
+                wrapped += i32::from(left > right && count > 0);
+            }
+            found
+        };
+        let expected = twin(anchor);
+        let got = |model: &_, words: &[u32]| -> Vec<Vec<i64>> {
+            records(model, words).into_iter().map(|r| r.1).collect()
+        };
+        assert_eq!(got(&model, &list(&anchor)), expected, "{n}");
+        drawn += expected.len();
+        // Without a register, the point is in the first row.
+        let expected = twin([anchor[0], top * 8]);
+        assert_eq!(got(&without, &list(&anchor[..1])), expected, "{n}");
+    }
+    assert!(drawn > 100_000 && wrapped > 1000, "{drawn} {wrapped}");
+}

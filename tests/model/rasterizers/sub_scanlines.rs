@@ -58,10 +58,13 @@ fn coverage_is_that_of_eight_points() {
         let (a, b) = ((left << 13) + more, (right << 13) + more);
         let (long, short) = if rightward { (a, b) } else { (b, a) };
         let words = upright(long, short, [from, to], rightward, [0; 4]);
-        let got: Vec<(i64, i64)> = records(&model, &words)
+        let got: Vec<(i64, i64, i64)> = records(&model, &words)
             .into_iter()
             .filter(|(kind, _)| *kind == 1)
-            .map(|(_, values)| (values[0], values[2]))
+            .map(|(_, values)| {
+                assert_eq!(values[8], values[7] >> 7 & 1, "the first sample");
+                (values[0], values[2], values[7])
+            })
             .collect();
         // Sides in sixteenths of a pixel; samples at quarters.
         let sixteenths = |eighths: i128| 2 * eighths + i128::from(below);
@@ -71,14 +74,17 @@ fn coverage_is_that_of_eight_points() {
         let (first, last) = (seen(left) >> 3, seen(right) >> 3);
         if left >> 1 <= right >> 1 {
             for x in first..=last {
-                let mut count = 0;
+                let (mut count, mut mask) = (0, 0);
                 for sub in from..to {
                     for column in (0..4).filter(|column| (column + sub) % 2 == 0) {
                         let at = 16 * x + 4 * column;
-                        count += i64::from(sixteenths(left) <= at && at < sixteenths(right));
+                        let covered = i64::from(sixteenths(left) <= at && at < sixteenths(right));
+                        count += covered;
+                        // Bits 7 and 5, 6 and 4, 3 and 1, 2 and 0.
+                        mask |= covered << (3 - column + if sub < 2 { 4 } else { 0 });
                     }
                 }
-                expected.push((i64::try_from(x).unwrap(), count));
+                expected.push((i64::try_from(x).unwrap(), count, mask));
             }
         }
         if !rightward {
@@ -201,4 +207,38 @@ fn the_lowest_slope_keeps_its_sign_to_the_left() {
         let expected = if product == "resize" { [far, 5, far] } else { [5, far, 5] };
         assert_eq!(got, [3, 2, 1].into_iter().zip(expected).collect::<Vec<_>>(), "{product}");
     }
+}
+
+/// Clause RG-17: what hardware without antialiasing does not write. The sides of this fill triangle are x = 225 and
+/// x = 225 - (row - 50); at row 99 the left one is 176 less a quarter for each sub-scanline. So of pixel 175 the sample
+/// at the corner is outside, and four are inside.
+#[test]
+fn a_pixel_whose_first_sample_is_outside() {
+    let text = guardbit::profile::BUILTIN.iter().find(|(name, _)| *name == "n64").unwrap().1;
+    let text = text.replace(
+        "\"coverage:8 slope_code:24@8\"",
+        "\"coverage:8 coverage_mask:8@8 first_sample:1@16\"",
+    );
+    let model = Model::new(&guardbit::profile::parse(&text, "n64").unwrap()).unwrap();
+    let input = &model.registers().unwrap().input;
+    let mut words = vec![0; input.len()];
+    for (name, value) in [
+        ("yl", 400),
+        ("ym", 400),
+        ("yh", 200),
+        ("xl", 175 << 16),
+        ("xh", 225 << 16),
+        ("xm", 225 << 16),
+        ("xm_step", -1 << 16),
+        ("scissor_xl", 4092),
+        ("scissor_yl", 4092),
+    ] {
+        input.find(name).unwrap().scatter(value, &mut words);
+    }
+    let drawn = records(&model, &words);
+    let (_, pixel) =
+        drawn.iter().find(|(kind, values)| *kind == 1 && values[..2] == [175, 99]).unwrap();
+    let [mask, first] = [pixel.len() - 2, pixel.len() - 1].map(|at| pixel[at]);
+    // Columns of a quarter from 175.75, 175.5 and 175.25 on; every second one counts.
+    assert_eq!((pixel[2], mask, first), (4, 0b0001_0111, 0));
 }

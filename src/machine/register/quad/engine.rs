@@ -242,6 +242,16 @@ impl Engine for Quads {
         }
     }
 
+    /// The pixels of the range, or of the tile.
+    fn work(&self, words: &[u32]) -> u128 {
+        let Some(job) = self.job(words) else { return 0 };
+        let side = |axis: usize| (job.range[axis][1] - job.range[axis][0]).max(0).unsigned_abs();
+        match self.config.descent {
+            None => u128::from(side(0)) * u128::from(side(1)),
+            Some(_) => u128::from(job.size.max(0).unsigned_abs()).pow(2),
+        }
+    }
+
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {
         self.host_words(triangle, count)
     }

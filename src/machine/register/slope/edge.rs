@@ -1,9 +1,35 @@
 //! The edges of the engine `slopes`: divided from vertices, or given. Spec clauses `RG-11` and `RG-12`.
 
-use super::{NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
+use super::{NAME, Plane, SlopeConfig, SlopeEdges};
 use crate::format::Gather;
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::setup::VertexConfig;
+#[cfg(feature = "verification")]
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// Which row comes next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum RowOrder {
+    /// The one below.
+    Down,
+    /// The one above.
+    Up,
+}
+
+/// What the two counts of rows count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "verification", derive(JsonSchema))]
+#[serde(rename_all = "kebab-case")]
+pub enum RowCounts {
+    /// The rows of each short edge.
+    #[default]
+    Each,
+    /// The rows of the first short edge, and all rows.
+    All,
+}
 
 /// Where the registers of the edges lie.
 #[derive(Clone, Debug)]
@@ -16,8 +42,17 @@ pub(super) struct EdgeInput {
 
 #[derive(Clone, Debug)]
 pub(super) enum Source {
-    Divided { vertices: [[Gather; 2]; 3], row_bias: i64 },
-    Given { start: [Gather; 2], slope: Gather, ends: [[Gather; 3]; 2], rows: RowOrder },
+    Divided {
+        vertices: [[Gather; 2]; 3],
+        row_bias: i64,
+    },
+    Given {
+        start: [Gather; 2],
+        slope: Gather,
+        ends: [[Gather; 3]; 2],
+        rows: RowOrder,
+        counts: RowCounts,
+    },
 }
 
 /// The edges of a triangle, read.
@@ -66,17 +101,25 @@ impl EdgeInput {
                 let vertices = [pair(["xa", "ya"])?, pair(["xb", "yb"])?, pair(["xc", "yc"])?];
                 (fraction, Source::Divided { vertices, row_bias: i64::from(row_bias) })
             }
-            SlopeEdges::Given { fraction, rows } => {
+            SlopeEdges::Given { fraction, rows, counts } => {
                 if !(1..=24).contains(&fraction) {
                     return Err(fault(format!("1 <= fraction = {fraction} <= 24 is needed")));
                 }
                 let ends = [
                     all(["end01", "end01_step", "rows01"])?,
-                    all(["end12", "end12_step", "rows12"])?,
+                    all(match counts {
+                        RowCounts::Each => ["end12", "end12_step", "rows12"],
+                        RowCounts::All => ["end12", "end12_step", "rows"],
+                    })?,
                 ];
+                let all_rows = &ends[1][2];
+                if counts == RowCounts::All && all_rows.bits() > 32 {
+                    let bits = all_rows.bits();
+                    return Err(fault(format!("rows has {bits} bits: at most 32 are needed")));
+                }
                 let start = pair(["x", "y"])?;
                 let slope = inputs.need(NAME, "x_step")?;
-                (fraction, Source::Given { start, slope, ends, rows })
+                (fraction, Source::Given { start, slope, ends, rows, counts })
             }
         };
         if let Plane::AtEdge { fraction: part } = config.plane
@@ -133,13 +176,24 @@ impl EdgeInput {
                     },
                 }
             }
-            Source::Given { start, slope, ends, rows } => {
+            Source::Given { start, slope, ends, rows, counts } => {
                 let x = [read(&start[0]), read(slope)];
+                let bits = ends[1][2].bits();
                 let end =
                     |[x, step, rows]: &[Gather; 3]| (read(x), read(step), rows.unsigned(words));
                 let y = i64::from(read(&start[1]));
                 let down = if *rows == RowOrder::Down { 1 } else { -1 };
-                let kind = Kind::Given { x, ends: [end(&ends[0]), end(&ends[1])], y, down };
+                let mut ends = ends.each_ref().map(end);
+                if *counts == RowCounts::All {
+                    // No rows at all are as many as the counter has states.
+                    let all = match ends[1].2 {
+                        0 => 1 << bits,
+                        all => all,
+                    };
+                    ends[0].2 = ends[0].2.min(all);
+                    ends[1].2 = all - ends[0].2;
+                }
+                let kind = Kind::Given { x, ends, y, down };
                 Walk { leftward, first_x: x[0], vertex: [0; 2], fraction, sub_pixel, kind }
             }
         }
@@ -164,6 +218,14 @@ impl Walk {
         let mask = (1i32 << self.fraction) - 1;
         let fraction = i64::from(x.wrapping_sub(1) & mask) >> (self.fraction - bits);
         if self.leftward { fraction } else { (1 << bits) - fraction }
+    }
+
+    /// How many rows there are.
+    pub(super) fn count(&self) -> u64 {
+        match self.kind {
+            Kind::Divided { rows, .. } => (rows[1] - rows[0]).max(0).unsigned_abs(),
+            Kind::Given { ends, .. } => ends[0].2.saturating_add(ends[1].2),
+        }
     }
 
     /// Calls `row` with the number of the row from the first, y, and x of both ends.

@@ -1,10 +1,10 @@
 //! The engine `slopes` as a profile configures it.
 
-use super::{ClipEnds, NAME, Plane, RowOrder, SlopeConfig, SlopeEdges};
+use super::{ClipEnds, NAME, Plane, RowCounts, RowOrder, SlopeConfig, SlopeEdges};
 use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
 use crate::machine::{
-    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word, near,
     near_or_none,
 };
 use crate::setup::VertexConfig;
@@ -27,7 +27,7 @@ impl EngineForm for SlopeConfig {
 
     fn clip(&self) -> Option<ClipNames> {
         let ends = ["clip_left", "clip_top", "clip_right", "clip_bottom"];
-        Some(ClipNames { ends, sub_pixels: false, on: Some("clip") })
+        self.clip.map(|_| ClipNames { ends, sub_pixels: false, on: Some("clip") })
     }
 
     fn edge_word(&self) -> Option<Word> {
@@ -38,11 +38,15 @@ impl EngineForm for SlopeConfig {
     }
 
     fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
+        if self.pixel_bits.is_some() {
+            return None;
+        }
         let (engine, fraction, [row_bias, down]) = match self.edges {
             SlopeEdges::Divided { fraction, row_bias } => {
                 (WiredEngine::DividedSlopes, fraction, [i128::from(row_bias), 0])
             }
-            SlopeEdges::Given { fraction, rows } => {
+            SlopeEdges::Given { counts: RowCounts::All, .. } => return None,
+            SlopeEdges::Given { fraction, rows, .. } => {
                 let down = if rows == RowOrder::Down { 1 } else { -1 };
                 (WiredEngine::GivenSlopes, fraction, [0, down])
             }
@@ -50,6 +54,7 @@ impl EngineForm for SlopeConfig {
         let part = match self.plane {
             Plane::AtVertex {} => 0,
             Plane::AtEdge { fraction } => fraction,
+            Plane::AtPoint {} => return None,
         };
         let place = |name: &str| machine.channel_place(name).unwrap_or(0);
         let depth = self.depth.as_ref();
@@ -59,7 +64,7 @@ impl EngineForm for SlopeConfig {
             ("DOWN", down),
             ("PIXEL_BIAS", self.pixel_bias.into()),
             ("PART", part.into()),
-            ("CLOSED", (self.clip == ClipEnds::Closed).into()),
+            ("CLOSED", (self.clip? == ClipEnds::Closed).into()),
             ("DEPTH", depth.is_some().into()),
             ("INTEGER_AT", depth.map_or(0, |depth| place(&depth.integer))),
             ("W_AT", depth.map_or(0, |depth| place(&depth.w_float))),
@@ -72,10 +77,20 @@ impl EngineForm for SlopeConfig {
         for bias in near_or_none(self.pixel_bias) {
             steps.add("pixel-bias", &bias, &self.pixel_bias, |slopes| slopes.pixel_bias = bias);
         }
-        for (clip, name, other) in
-            [(ClipEnds::HalfOpen, "half-open", "closed"), (ClipEnds::Closed, "closed", "half-open")]
-        {
-            steps.add("clip", &name, &other, |slopes| slopes.clip = clip);
+        if self.clip.is_some() {
+            let both = [
+                (ClipEnds::HalfOpen, "half-open", "closed"),
+                (ClipEnds::Closed, "closed", "half-open"),
+            ];
+            for (clip, name, other) in both {
+                steps.add("clip", &name, &other, |slopes| slopes.clip = Some(clip));
+            }
+        }
+        if let Some(was) = self.pixel_bits {
+            for bits in near(was) {
+                steps.add("pixel-bits", &bits, &was, |slopes| slopes.pixel_bits = Some(bits));
+            }
+            steps.add("pixel-bits", &"none", &was, |slopes| slopes.pixel_bits = None);
         }
         if let SlopeEdges::Divided { row_bias: was, .. } = self.edges {
             for bias in near_or_none(was) {

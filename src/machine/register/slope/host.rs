@@ -2,7 +2,7 @@
 //! nearest to the exact ones. Spec clause `RG-4`.
 
 use super::edge::Source;
-use super::{ClipEnds, Plane, RowOrder, Slopes};
+use super::{ClipEnds, Plane, RowCounts, RowOrder, Slopes};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
 use crate::format::Gather;
@@ -50,13 +50,16 @@ impl Slopes {
         };
         let (direction, says_left) = &self.edges.direction;
         put(direction, i128::from(leftward == *says_left));
-        let origin = self.host_edges(v, &mut put);
+        let Some(mut origin) = self.host_edges(v, &mut put) else { return Vec::new() };
+        if let Some((x, y)) = &self.point {
+            origin = self.host_point(a, (x, y.as_ref()), origin.1, &mut put);
+        }
         self.host_channels(triangle, (a, c), leftward, origin, &mut put);
-        let past = u32::from(self.config.clip == ClipEnds::Closed);
+        let past = u32::from(self.config.clip == Some(ClipEnds::Closed));
         let [(x0, x1), (y0, y1)] =
             [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
         let ends = [x0, x1.saturating_sub(past), y0, y1.saturating_sub(past)];
-        for (gather, end) in self.clip.iter().zip(ends) {
+        for (gather, end) in self.clip.iter().flatten().zip(ends) {
             put(gather, i128::from(end));
         }
         for flag in self.clips.iter().chain(&self.adjust) {
@@ -65,17 +68,17 @@ impl Slopes {
         vec![words]
     }
 
-    /// Writes the sides; where channels start.
-    fn host_edges(&self, [a, b, c]: [[i128; 2]; 3], put: Put<'_>) -> Origin {
+    /// Writes the sides; where channels start, or `None` where a count of rows cannot say that there are none.
+    fn host_edges(&self, [a, b, c]: [[i128; 2]; 3], put: Put<'_>) -> Option<Origin> {
         let (grid, fraction) = (&self.target.grid, self.edges.fraction);
         match &self.edges.source {
             Source::Divided { vertices, .. } => {
                 for (gathers, at) in vertices.iter().zip([a, b, c]) {
                     gathers.iter().zip(at).for_each(|(gather, value)| put(gather, value));
                 }
-                ((a[0], 1), a[1])
+                Some(((a[0], 1), a[1]))
             }
-            Source::Given { start, slope, ends, .. } => {
+            Source::Given { start, slope, ends, counts, .. } => {
                 let one = 1i128 << self.sub_pixel;
                 let x_at = |(p, q): Side, row: i128| {
                     let (along, height) = (q[0] - p[0], q[1] - p[1]);
@@ -85,7 +88,10 @@ impl Slopes {
                 };
                 let slope_of =
                     |(p, q): Side| nearest((q[0] - p[0]) << fraction, (p[1] - q[1]).abs());
-                let (row, _) = rows(grid, (a, c));
+                let (row, all) = rows(grid, (a, c));
+                if all == 0 && *counts == RowCounts::All {
+                    return None;
+                }
                 put(&start[0], x_at((a, c), row));
                 put(&start[1], row);
                 put(slope, slope_of((a, c)));
@@ -97,11 +103,37 @@ impl Slopes {
                         put(&gathers[2], count);
                     }
                 }
+                if *counts == RowCounts::All {
+                    put(&ends[1][2], all);
+                }
                 let (y, height) = (grid.position(0, row)[1], c[1] - a[1]);
                 let x = a[0] * height + (c[0] - a[0]) * (y - a[1]);
-                ((x * height.signum(), height.abs()), y)
+                Some(((x * height.signum(), height.abs()), y))
             }
         }
+    }
+
+    /// Writes the point that channels start at: the first vertex, as its registers hold it. The y of the first row
+    /// where there is no register of y.
+    fn host_point(
+        &self,
+        a: [i128; 2],
+        (x, y): (&Gather, Option<&Gather>),
+        top: i128,
+        put: Put<'_>,
+    ) -> Origin {
+        let (s, fraction) = (self.sub_pixel, self.edges.fraction);
+        let mut held = |gather: &Gather, axis: usize| {
+            let low = gather.lowest();
+            // What a register drops is dropped before channels start there.
+            let place =
+                (((a[axis] - self.target.grid.offset[axis]) << fraction) >> s) >> low << low;
+            put(gather, place);
+            place + ((self.target.grid.offset[axis] << fraction) >> s)
+        };
+        let x = held(x, 0);
+        let y = y.map(|y| held(y, 1));
+        ((x << s, 1 << fraction), y.map_or(top, |y| (y << s) >> fraction))
     }
 
     /// Writes starts and slopes of the channels.
@@ -115,6 +147,8 @@ impl Slopes {
     ) {
         let one = 1i128 << self.sub_pixel;
         let at_edge = matches!(self.config.plane, Plane::AtEdge { .. });
+        // Distances from a point have the fraction bits of x, which registers then lack.
+        let up = if self.point.is_some() { self.edges.fraction } else { 0 };
         let p = triangle.xy[0];
         for (n, (channel, input)) in self.channels.iter().enumerate() {
             let values = attributes(channel, n);
@@ -131,9 +165,9 @@ impl Slopes {
             let mut register = |gather, numerator, denominator, shift| {
                 put(gather, i128::from(channel.register(numerator, denominator, shift)));
             };
-            register(&input.start, start, area * part, channel.shift);
-            register(&input.along, dx * one * run, area, channel.shift_along);
-            register(&input.down, down, over, channel.shift);
+            register(&input.start, start, area * part, channel.shift + up);
+            register(&input.along, dx * one * run, area, channel.shift_along + up);
+            register(&input.down, down, over, channel.shift + up);
         }
     }
 }

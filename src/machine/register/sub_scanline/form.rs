@@ -1,6 +1,6 @@
 //! The engine `sub-scanlines` as a profile configures it.
 
-use super::{NAME, Product, SubScanlineConfig};
+use super::{MASK, NAME, Product, SubScanlineConfig};
 use crate::format::Layout;
 use crate::machine::register::engine::{Built, ClipNames, EngineForm};
 use crate::machine::register::input::{Inputs, RegisterError};
@@ -41,6 +41,13 @@ impl EngineForm for SubScanlineConfig {
     fn device(&self, machine: &RegisterConfig) -> Option<RegisterDevice> {
         let depth = |channel: &&ChannelConfig| channel.names.contains(&self.depth);
         let input = Layout::parse(&machine.input).ok()?;
+        for record in &machine.records {
+            // The device has no wires for these.
+            let layout = Layout::parse(&record.words).ok()?;
+            if layout.names().any(|name| MASK.contains(&name)) {
+                return None;
+            }
+        }
         let values = vec![
             ("RESIZE", (self.product == Product::Resize).into()),
             ("SIGNED_DISTANCE", self.signed_distance.into()),

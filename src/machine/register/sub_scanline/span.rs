@@ -168,6 +168,7 @@ impl Line {
                 self.values.push(channel.value(value));
                 values[n] = channel.wrap(values[n].wrapping_add(held.along[n] * run));
             }
+            self.values.extend([i64::from(mask), i64::from(mask >> 7 & 1)]);
             let depth = self.values[5 + engine.depth];
             self.values[4] = i64::from(leading_ones(u32::try_from(depth).unwrap_or(0)));
             emit(1, &self.values);

@@ -26,6 +26,11 @@ impl Host {
         self.writes(triangle).unwrap_or_else(|| vec![0; self.registers.input.len()])
     }
 
+    /// Whether a driver may write the words.
+    pub(super) fn is_legal(&self, words: &[u32]) -> bool {
+        self.registers.illegal(words).next().is_none()
+    }
+
     /// What words draw.
     pub(super) fn records(&self, words: &[u32]) -> Records {
         records(&self.model, words, RegisterTest::LARGEST)

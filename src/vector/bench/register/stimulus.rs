@@ -1,5 +1,7 @@
 //! The words that a machine is tested with: a host's, and others. Spec clause `X-6`.
 
+mod legal;
+
 use super::field::{Field, fields};
 use super::host::Host;
 use crate::case::triangle::{self, Stimulus as Cases};
@@ -8,6 +10,7 @@ use crate::machine::{ClipRegisters, Registers};
 use crate::model::Model;
 use crate::setup::Triangle;
 use crate::vector::bench::{Group, Source, TestAt, cut};
+use legal::{BROKEN, ILLEGAL};
 use std::sync::Arc;
 
 /// Rows asked for in a walk file per random or scene test.
@@ -56,7 +59,7 @@ const PLACES: u64 = 6;
 type Make = fn(&RegisterStimulus, u64) -> Vec<u32>;
 
 /// The classes after those of triangles, in the order of their tests.
-const CLASSES: [(Class, Make); 7] = [
+const CLASSES: [(Class, Make); 8] = [
     (triangle::SCENE, RegisterStimulus::of_scene),
     (ENDS, RegisterStimulus::ends),
     (WINDOW, RegisterStimulus::window),
@@ -64,6 +67,7 @@ const CLASSES: [(Class, Make); 7] = [
     (BITS, RegisterStimulus::bits),
     (WORDS, RegisterStimulus::no_host),
     (triangle::RANDOM, RegisterStimulus::changed),
+    (ILLEGAL, RegisterStimulus::illegal),
 ];
 
 /// Where the words of tests come from.
@@ -76,6 +80,8 @@ pub(super) struct RegisterStimulus {
     /// The words that draw least of all that a host writes; and the same with all fields at zero that
     /// move no pixel.
     least: Arc<[Vec<u32>; 2]>,
+    /// Legal words in the place of others.
+    legal: Arc<Vec<u32>>,
     /// Sub-pixel bits, and the sample in its pixel.
     sub_pixel: u32,
     sample: [i64; 2],
@@ -104,22 +110,27 @@ impl RegisterStimulus {
         let written = directed.iter().flat_map(|class| &class.tests);
         let written = written.filter_map(|triangle| host.writes(triangle));
         let drawn = |words: &Vec<u32>| host.records(words).total;
+        let written: Vec<Vec<u32>> = written.filter(|words| host.is_legal(words)).collect();
+        let written = written.into_iter();
         let smallest = written.filter(|words| drawn(words) > 0).min_by_key(drawn);
         let smallest = smallest.unwrap_or_else(|| vec![0; registers.input.len()]);
         let mut fields = fields(&registers.input);
+        let legal = Arc::new(smallest.clone());
         let least = [smallest.clone(), host.bare(&mut fields, smallest)];
         let rows = |triangle: &Triangle| {
             host.writes(triangle).map_or(1, |words| host.records(&words).total + 1)
         };
         directed.insert(0, Directed::core(&directed, rows));
         let scene: Vec<Triangle> = source.scene.iter().copied().filter(small).collect();
-        let groups = groups(&directed, scene.len() as u64, &fields, source.count);
+        let conditions = registers.legal.len() as u64;
+        let groups = groups(&directed, scene.len() as u64, (&fields, conditions), source.count);
         let sample = profile.grid().map_or([0; 2], |grid| grid.offset);
         let stimulus = Self {
             directed: Arc::new(directed),
             scene: Arc::new(scene),
             fields: Arc::new(fields),
             least: Arc::new(least),
+            legal,
             sub_pixel: profile.vertex.sub_pixel,
             sample: sample.map(|at| i64::try_from(at).unwrap_or(0)),
             cases,
@@ -132,10 +143,11 @@ impl RegisterStimulus {
     /// The words of a test.
     pub(super) fn words(&self, at: TestAt) -> Vec<u32> {
         if let Some(class) = self.directed.get(at.group) {
-            return self.host.words(&class.tests[place(at.index)]);
+            return self.lawful(self.host.words(&class.tests[place(at.index)]));
         }
-        let (_, make) = CLASSES[at.group - self.directed.len()];
-        make(self, at.index)
+        let (class, make) = CLASSES[at.group - self.directed.len()];
+        let words = make(self, at.index);
+        if class == ILLEGAL { words } else { self.lawful(words) }
     }
 
     /// A random stream of the register benches.
@@ -324,7 +336,12 @@ fn low(value: u64) -> u32 {
     u32::from_le_bytes([a, b, c, d])
 }
 
-fn groups(directed: &[Directed<Triangle>], scene: u64, fields: &[Field], count: u64) -> Vec<Group> {
+fn groups(
+    directed: &[Directed<Triangle>],
+    scene: u64,
+    (fields, conditions): (&[Field], u64),
+    count: u64,
+) -> Vec<Group> {
     let (share, each) = (count / ROWS_PER_TEST, fields.len() as u64);
     let bits: u64 = fields.iter().map(|field| u64::from(field.width)).sum();
     let tests = [
@@ -335,8 +352,11 @@ fn groups(directed: &[Directed<Triangle>], scene: u64, fields: &[Field], count: 
         2 * bits,
         2 * share,
         share,
+        BROKEN * conditions,
     ];
-    let own = CLASSES.into_iter().zip(tests).map(|((class, _), tests)| Group { class, tests });
+    // Where everything is legal there is no class of the rest.
+    let classes = CLASSES.into_iter().filter(|(class, _)| conditions > 0 || *class != ILLEGAL);
+    let own = classes.zip(tests).map(|((class, _), tests)| Group { class, tests });
     let of_triangles =
         directed.iter().map(|class| Group { class: class.class, tests: class.tests.len() as u64 });
     let mut groups: Vec<Group> = of_triangles.chain(own).collect();
