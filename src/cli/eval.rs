@@ -181,7 +181,7 @@ fn reply_records(
         fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
 
         fn most_steps(&self) -> u64 {
-            self.most.saturating_mul(STEPS)
+            self.most.max(Records::MOST).saturating_mul(STEPS)
         }
 
         fn record(&mut self, kind: usize, values: &[i64]) {
