@@ -290,12 +290,17 @@ fn words_that_draw_nothing_for_minutes_are_refused() {
         "\"rows01\", \"rows12\"",
         1,
     );
+    let wide = of("rasterix").replace(
+        "left:11 top:11@16\", \"right:11 bottom:11@16",
+        "left:16 top:16@16\", \"right:16 bottom:16@16",
+    );
     let ends = of("n64")
         .replace("yh:14 ym:14@16", "-yh0:14 ym:14@16")
         .replace("\"z\", \"z_dx\"", "\"yh\", \"z_dx\"");
     let ends = ends.replace("\"z_dy\",", "\"z_dy\", \"z\",");
     for (name, text, set, steps) in [
         ("psp", range, vec![("right", -1), ("bottom", -1)], (1u128 << 28).pow(2)),
+        ("rasterix", wide, vec![("right", -1), ("bottom", -1)], ((1u128 << 16) - 1).pow(2)),
         ("virge", rows, vec![("rows01", -1), ("rows12", -1)], (1 << 33) - 2),
         // From sub-scanline -2^31 to 3.
         ("n64", ends, vec![("yh", -1 << 31)], (1 << 31) + 4),

@@ -4,7 +4,7 @@ use super::EdgeEngineConfig;
 use super::cover::{Cover, Edge, Exact, fold};
 use super::linear::Values;
 use super::order::{Bounds, visit};
-use super::part::{EdgeRule, EdgeSense, EdgeSource, Origin, Winding, WithoutArea};
+use super::part::{EdgeOrder, EdgeRule, EdgeSense, EdgeSource, Origin, Winding, WithoutArea};
 use super::wire::{EdgeWires, Wires};
 use crate::format::Gather;
 use crate::machine::Target;
@@ -171,6 +171,22 @@ impl Engine for EdgeFunctions {
             values.read(&self.channels, at, words, &mut record[5..]);
             emit(0, &record);
         });
+    }
+
+    fn work(&self, words: &[u32]) -> u128 {
+        let Some(Job { bounds: [x0, y0, x1, y1], .. }) = self.job(words) else { return 0 };
+        // The tiles at both ends of a side can reach beyond it.
+        let beyond = match self.config.order {
+            EdgeOrder::Tiles { width, height, .. } => {
+                [width, height].map(|side| 2 * u128::from(side))
+            }
+            _ => [0; 2],
+        };
+        let side = |low: i64, high: i64, beyond: u128| match high.checked_sub(low) {
+            Some(1..) => u128::from(high.abs_diff(low)) + beyond,
+            _ => beyond,
+        };
+        side(x0, x1, beyond[0]) * side(y0, y1, beyond[1])
     }
 
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {
