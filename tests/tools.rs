@@ -177,6 +177,11 @@ fn profiles_are_synthesised(yosys: &str) {
         if matches!(profile.form, profile::Form::Registers(_)) {
             continue;
         }
+        // Samples between the sub-pixels have no estimate either, and say so.
+        if name == "gamecube" {
+            assert!(estimate(&profile).unwrap_err().to_string().contains("between the sub-pixels"));
+            continue;
+        }
         let found = synthesise(&profile, Path::new(yosys), Duration::from_mins(2)).unwrap();
         // Registers are what the estimate counts as well; tables have no count of ours to meet.
         assert_eq!(found.flip_flops, estimate(&profile).unwrap().register_bits, "{name}");

@@ -198,7 +198,7 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     if let (Some(path), Some(index)) = (&arguments.profile_out, report.index)
         && let Ok(Point::Budget(profile)) = sweep.space.point(index)
     {
-        let text = Profile { name: format!("{}-fit", profile.name), ..profile }.to_toml();
+        let text = Profile { name: format!("{}-fit", profile.name), ..*profile }.to_toml();
         write_text(path, &text)?;
     }
     let mut output = Output::new();

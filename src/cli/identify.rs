@@ -44,6 +44,9 @@ pub(crate) struct Arguments {
     /// Leave depth out of the search, for a machine that takes no depth.
     #[arg(long)]
     no_depth: bool,
+    /// Also try machines that leave out the triangles of one winding.
+    #[arg(long, conflicts_with = "near")]
+    cull: bool,
     /// Window of the captures as WIDTHxHEIGHT.
     #[arg(long, value_parser = super::parse_size, default_value = "64x64")]
     window: (u32, u32),
@@ -181,6 +184,7 @@ fn hypotheses(arguments: &Arguments) -> Result<Hypotheses, Failure> {
         failure.hint("--near N tries the profiles within N decisions of such a machine")
     })?;
     let hypotheses = Hypotheses::of(base, arguments.axes.clone());
+    let hypotheses = if arguments.cull { hypotheses.with_culling() } else { hypotheses };
     if let Some(field) = hypotheses.unfit() {
         let message = format!("--vary {}: identify takes this field from --base", field.name());
         return Err(Failure::input(message).hint(

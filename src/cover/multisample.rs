@@ -2,6 +2,7 @@
 //! `FP-4` and `FP-5`.
 
 use super::sample::{MOST_PARTS, SampleGrid};
+use crate::bits::bounded;
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -46,14 +47,14 @@ const MOST: usize = 16;
 #[cfg_attr(feature = "verification", derive(JsonSchema))]
 #[cfg_attr(feature = "verification", schemars(with = "Vec<[u32; 2]>"))]
 pub struct Positions {
-    at: [[u32; 2]; MOST],
-    count: usize,
+    at: [[u8; 2]; MOST],
+    count: u8,
 }
 
 impl Positions {
     /// The places, by sample number.
-    pub fn list(&self) -> &[[u32; 2]] {
-        &self.at[..self.count]
+    pub fn list(&self) -> &[[u8; 2]] {
+        &self.at[..usize::from(self.count)]
     }
 }
 
@@ -65,14 +66,21 @@ impl TryFrom<Vec<[u32; 2]>> for Positions {
             return Err(format!("{} positions: a pixel has 1 to {MOST} samples", list.len()));
         }
         let mut at = [[0; 2]; MOST];
-        at[..list.len()].copy_from_slice(&list);
-        Ok(Self { at, count: list.len() })
+        for (sample, (place, given)) in at.iter_mut().zip(&list).enumerate() {
+            for (part, given) in place.iter_mut().zip(given) {
+                // A side has at most 256 parts.
+                *part = u8::try_from(*given).map_err(|_| {
+                    format!("positions[{sample}]: {given} <= 255 is needed: a pixel has at most {MOST_PARTS} parts on a side")
+                })?;
+            }
+        }
+        Ok(Self { at, count: bounded(list.len()) })
     }
 }
 
 impl From<Positions> for Vec<[u32; 2]> {
     fn from(positions: Positions) -> Self {
-        positions.list().to_vec()
+        positions.list().iter().map(|place| place.map(u32::from)).collect()
     }
 }
 
@@ -214,9 +222,10 @@ impl MultisampleConfig {
                 if list.len() != samples as usize {
                     return Err(MultisampleError::Places { samples, got: list.len() });
                 }
-                let outside = |at: &[u32; 2]| at.iter().any(|place| *place >= of);
+                let outside = |at: &[u8; 2]| at.iter().any(|place| u32::from(*place) >= of);
                 if let Some(sample) = list.iter().position(outside) {
-                    return Err(MultisampleError::Outside { sample, at: list[sample], of });
+                    let at = list[sample].map(u32::from);
+                    return Err(MultisampleError::Outside { sample, at, of });
                 }
             }
             (None, Some(of)) => return Err(MultisampleError::Unused(of)),
@@ -240,7 +249,7 @@ impl MultisampleConfig {
         let at = |place: [u32; 2], of| SampleGrid::among(place, of, sub_pixel);
         if let Some(positions) = &self.positions {
             let of = self.of.unwrap_or(STANDARD_PARTS);
-            return positions.list().iter().map(|place| at(*place, of)).collect();
+            return positions.list().iter().map(|place| at(place.map(u32::from), of)).collect();
         }
         let positions = self.standard_positions().unwrap_or_default().iter();
         positions.map(|place| at(place.map(u32::from), STANDARD_PARTS)).collect()

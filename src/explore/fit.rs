@@ -225,7 +225,7 @@ pub fn fit(request: &Request<'_>, go_on: &dyn Fn() -> bool) -> Result<Option<Fit
             };
             let lesser = lesser::lesser(&mut judge, request.sweep, &profile)?;
             let (index, cost) = (candidate.index, candidate.cost);
-            Some(Box::new(Best { index, profile, cost, accuracy, larger, lesser }))
+            Some(Box::new(Best { index, profile: *profile, cost, accuracy, larger, lesser }))
         }
     };
     Ok(Some(Fit { best, effort, budgets }))

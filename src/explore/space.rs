@@ -26,7 +26,7 @@ pub struct Space {
 #[derive(Clone, Debug)]
 pub enum Point {
     /// A budget.
-    Budget(Profile),
+    Budget(Box<Profile>),
     /// Another number's budget: an axis sets a field that this one does not have.
     Again,
     /// The index is invalid: the resulting profile fails validation.
@@ -303,7 +303,7 @@ impl Space {
             let _ = Field::EDGE_WIDTH.write(&mut profile, &Value::Name("exact"));
         }
         Ok(match profile.validate() {
-            Ok(()) => Point::Budget(profile),
+            Ok(()) => Point::Budget(Box::new(profile)),
             Err(error) => Point::Invalid(error),
         })
     }

@@ -94,7 +94,7 @@ impl Sweep {
             let mut budgets = Vec::new();
             for index in members.into_iter().filter(|index| wanted(*index)) {
                 match self.space.point(index) {
-                    Ok(Point::Budget(profile)) => budgets.push((index, profile)),
+                    Ok(Point::Budget(profile)) => budgets.push((index, *profile)),
                     _ => {
                         if !found(Found::Skipped(index)) {
                             return Ok(());
@@ -155,7 +155,7 @@ impl Sweep {
         let groups = self.space.groups(Level::Stage).len();
         let coverages = self.space.groups(Level::Coverage).len();
         let budget = (0..self.space.len()).find_map(|index| match self.space.point(index) {
-            Ok(Point::Budget(profile)) => Some(profile),
+            Ok(Point::Budget(profile)) => Some(*profile),
             _ => None,
         });
         let Some(profile) = budget else { return Ok(Duration::ZERO) };

@@ -71,10 +71,12 @@ impl Profile {
         Ok(if nearest { depth.at_nearest_corner() } else { depth })
     }
 
-    /// Whether a triangle draws nothing, because it has no area. Spec clauses `T-3` and `CR-4`.
+    /// Whether a triangle draws nothing, because it has no area, or by `[cull]`. Spec clauses `T-3`, `CR-4`,
+    /// `FP-10` and `FP-11`.
     pub fn culls(&self, triangle: &Triangle) -> bool {
         let drawn = self.conservative().map(|config| config.degenerate) == Some(Degenerate::Draw);
         triangle.area2() == 0 && !drawn
+            || self.cull.is_some_and(|cull| cull.culls(triangle, self.vertex.sub_pixel))
     }
 
     /// The edge words of a plain engine: edge functions over a box and one sample a pixel, and with

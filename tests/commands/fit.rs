@@ -394,7 +394,7 @@ fn an_edge_width_follows_the_grid_unless_it_is_varied() {
     let widths = |axes: &[&str]| -> Vec<String> {
         let sweep = sweep(&toy_exact(), axes, vec![]);
         let budgets = (0..sweep.space.len()).map(|n| match sweep.space.point(n).unwrap() {
-            Point::Budget(profile) => profile,
+            Point::Budget(profile) => *profile,
             other => panic!("{other:?}"),
         });
         budgets

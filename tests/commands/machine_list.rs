@@ -75,8 +75,8 @@ fn clauses_of_machines_and_decisions_exist() {
 fn fields_are_listed_by_level_and_owner() {
     let names: Vec<&str> = Field::all().iter().map(|field| field.name()).collect();
     let expected = "sub-pixel vertex-integer snap integer form traversal stamp edge-width walk-fraction \
-                    walk-integer walk-guard walk-rounding interpolation guard rounding clamp reciprocal \
-                    start-bias depth-format bias-constant bias-slope";
+                    walk-integer walk-guard walk-rounding walk-clamp interpolation guard rounding clamp \
+                    reciprocal start-bias depth-format bias-constant bias-slope";
     assert_eq!(names, expected.split_whitespace().collect::<Vec<_>>());
     let spec = text("spec/13-search.md");
     let clause = spec.split("### Q-1").nth(1).unwrap().split("\n###").next().unwrap();

@@ -199,9 +199,9 @@ fn centroids_stay_in_range_and_centres_do_not() {
             let centre = plane_at(triangle, u, [x * 16 + 8, y * 16 + 8]).unwrap();
             outside += u32::from(centre < range.0 || centre > range.1);
             // The mean place of the covered samples.
-            let covered: Vec<_> = (0..4).filter(|n| mask >> n & 1 == 1).collect();
+            let covered: Vec<usize> = (0..4).filter(|n| mask >> n & 1 == 1).collect();
             let mean = |axis: usize, pixel: i128| {
-                let sum: i128 = covered.iter().map(|n| grids[*n as usize].offset[axis]).sum();
+                let sum: i128 = covered.iter().map(|n| grids[*n].offset[axis]).sum();
                 ratio(sum, covered.len() as i128).unwrap() + integer(pixel * 16)
             };
             let centroid = Point { x: mean(0, x), y: mean(1, y) };

@@ -1,4 +1,9 @@
 //! From clip space to the window, and what is culled there, against exact arithmetic rounded once a step.
+#![allow(
+    clippy::cast_possible_truncation,
+    clippy::cast_precision_loss,
+    reason = "numbers of few bits, and a guess that is put right"
+)]
 
 use super::toy::{TOY, parse};
 use guardbit::bits::Rounding;
@@ -45,7 +50,7 @@ fn twin(config: &ViewportConfig, [x, y, z, w]: [f32; 4]) -> [i128; 3] {
         DivisionByW::Quotient => divide(value, w),
         DivisionByW::Reciprocal => nearest(&(exact(value) * exact(divide(1.0, w)))),
     });
-    let [width, height] = [config.width.unwrap(), config.height.unwrap()].map(|n| i128::from(n));
+    let [width, height] = [config.width.unwrap(), config.height.unwrap()].map(i128::from);
     let turned = if config.up == VerticalAxis::Up { -height } else { height };
     let half = |twice: i128| ratio(twice, 2).unwrap();
     let sides = [
@@ -143,13 +148,8 @@ fn positions_reach_the_window_as_exact_steps_do() {
                     };
                     let positions = [vertex(), vertex(), vertex()];
                     let got = model.position(&Positioned(positions)).unwrap();
-                    for n in 0..3 {
-                        let [x, y] = got.xy[n];
-                        assert_eq!(
-                            [x, y, got.z.unwrap()[n]],
-                            twin(&config, positions[n]),
-                            "{config:?}"
-                        );
+                    for ((xy, z), position) in got.xy.iter().zip(got.z.unwrap()).zip(positions) {
+                        assert_eq!([xy[0], xy[1], z], twin(&config, position), "{config:?}");
                         tried += 1;
                     }
                     // That each step matters: another choice moves some vertex.

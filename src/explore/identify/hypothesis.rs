@@ -7,7 +7,7 @@ use crate::explore::field::{Field, Value};
 use crate::explore::space::Axis;
 use crate::model::Model;
 use crate::profile::{Profile, neighbours};
-use crate::setup::Division;
+use crate::setup::{CullConfig, Division, Winding};
 use crate::value::{DepthConfig, StartBias};
 use std::collections::BTreeSet;
 
@@ -44,6 +44,7 @@ pub struct Hypotheses {
     base: Profile,
     axes: Vec<Axis>,
     changes: Option<u32>,
+    culling: bool,
 }
 
 impl Hypotheses {
@@ -51,13 +52,19 @@ impl Hypotheses {
     /// rule, storage and width of edge words, the words of depth if it has depth, and the axes given, which
     /// replace those of the same field.
     pub fn of(base: Profile, axes: Vec<Axis>) -> Self {
-        Self { base, axes, changes: None }
+        Self { base, axes, changes: None, culling: false }
     }
 
     /// A base profile, and everything that differs from it in at most so many decisions of its machine: for
     /// machines that begin at registers.
     pub fn near(base: Profile, changes: u32) -> Self {
-        Self { base, axes: Vec::new(), changes: Some(changes) }
+        Self { base, axes: Vec::new(), changes: Some(changes), culling: false }
+    }
+
+    /// Machines that leave out triangles of one winding, too.
+    #[must_use]
+    pub fn with_culling(self) -> Self {
+        Self { culling: true, ..self }
     }
 
     /// The profile that is varied.
@@ -163,6 +170,17 @@ impl Hypotheses {
                     FillRule::Shadow => "shadow",
                 };
                 Some(("rule".to_owned(), name.to_owned()))
+            });
+        }
+        if self.culling {
+            let windings = [None].into_iter().chain(Winding::ALL.map(Some));
+            let windings: Vec<Option<Winding>> = windings.collect();
+            profiles = product(profiles, &windings, |winding, profile| {
+                let largest = profile.cull.and_then(|cull| cull.largest);
+                let cull = CullConfig { winding: *winding, largest };
+                profile.cull = (cull != CullConfig::default()).then_some(cull);
+                let name = winding.map_or("none".to_owned(), |winding| winding.to_string());
+                Some(("culled winding".to_owned(), name))
             });
         }
         let snaps = self.roundings("snap");

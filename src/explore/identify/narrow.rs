@@ -33,10 +33,11 @@ impl Boxed {
         }
         let target =
             Target { grid: profile.grid().ok()?, clip: model.clip(), reach: profile.box_reach() };
+        // Nothing is drawn without an area, or by the winding before vertices change places.
+        let culled = profile.culls(triangle);
         let triangle = triangle.normalised();
         let [x0, y0, x1, y1] = target.bounds(&triangle);
-        // Without an area nothing is drawn.
-        let x1 = if profile.culls(&triangle) { x0 } else { x1 };
+        let x1 = if culled { x0 } else { x1 };
         Some(Self { triangle, area: Rect { x0, y0, x1, y1 } })
     }
 

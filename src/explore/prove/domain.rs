@@ -130,7 +130,7 @@ impl Question {
         }
         let (low, high) = profile.vertex.range();
         let vertices = within.unwrap_or([[low; 2], [high; 2]]);
-        let grid = profile.whole_grid().map_err(InvalidProfile::from)?;
+        let grid = profile.whole_grid()?;
         let w_ratio = overrides.w_ratio.unwrap_or(W_RATIO).max(1);
         Ok(Self { profile, origin: [0; 2], vertices, w_ratio, grid })
     }

@@ -211,7 +211,7 @@ impl EdgeWalkConfig {
             "walk-guard" => self.guard = Refused::unless(value.bits())?,
             "walk-rounding" => self.rounding = rounding(value)?,
             "walk-clamp" => {
-                self.clamp = Refused::unless(value.choose(&CLAMPS, |clamp| clamp.name()))?
+                self.clamp = Refused::unless(value.choose(&CLAMPS, Clamp::name))?;
             }
             _ => return Err(Refused::Absent),
         }

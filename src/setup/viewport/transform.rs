@@ -98,42 +98,58 @@ impl Viewport {
         maximum: u64,
         vertex: &VertexConfig,
     ) -> Result<i128, VertexError> {
+        let code = if let Transform::Fixed { fraction, rounding } = self.config.transform {
+            self.fixed_depth(value, (fraction, rounding), maximum, vertex.snap)
+        } else {
+            unorm(self.window_depth(value), maximum, vertex.snap)
+        };
+        match code {
+            Some(code) => place.within(code, (0, i128::from(maximum))),
+            None => vertex.snap(place, endless(value).into(), 0, (0, i128::from(maximum))),
+        }
+    }
+
+    /// The code in fixed point; `None` for a number without a place on any grid.
+    fn fixed_depth(
+        &self,
+        value: f32,
+        (fraction, rounding): (u32, Rounding),
+        maximum: u64,
+        snap: Rounding,
+    ) -> Option<i128> {
         let ViewportConfig { near, far, clamp, depth, .. } = self.config;
-        let ends = (0, i128::from(maximum));
-        let beyond = |code: i128, [one, other]: [i128; 2]| match clamp {
+        let code = |end: f32| unorm(end, maximum, snap).unwrap_or_default();
+        let (near, far) = (code(near.into()), code(far.into()));
+        let moderate = snap_f64(value.into(), fraction, rounding).filter(|n| is_moderate(*n));
+        // Under a clamp it is only beyond one of the planes.
+        let beyond = clamp == DepthClamp::Vertex && !value.is_nan();
+        let largest = if value > 0.0 { MODERATE } else { -MODERATE };
+        let n = moderate.or(beyond.then_some(largest))?;
+        let (n, fraction) = match depth {
+            ClipDepth::ZeroToOne => (n, fraction),
+            ClipDepth::MinusOneToOne => (n + (1 << fraction), fraction + 1),
+        };
+        let code = snap.shift_right((near << fraction) + n * (far - near), fraction).0;
+        Some(match clamp {
             DepthClamp::None => code,
-            DepthClamp::Vertex => code.clamp(one.min(other), one.max(other)),
+            DepthClamp::Vertex => code.clamp(near.min(far), near.max(far)),
+        })
+    }
+
+    /// Depth in the window, in binary32.
+    fn window_depth(&self, value: f32) -> f32 {
+        let ViewportConfig { near, far, clamp, depth, .. } = self.config;
+        let (near, far) = (f32::from(near), f32::from(far));
+        #[expect(clippy::manual_midpoint, reason = "the clause rounds the sum")]
+        let (scale, offset) = match depth {
+            ClipDepth::ZeroToOne => (far - near, near),
+            ClipDepth::MinusOneToOne => ((far - near) / 2.0, (far + near) / 2.0),
         };
-        let codes = [near, far].map(|end| unorm(end.into(), maximum, vertex.snap));
-        let codes = codes.map(|code| code.unwrap_or_default());
-        let moderate = match self.config.transform {
-            Transform::Fixed { fraction, rounding } => {
-                snap_f64(value.into(), fraction, rounding).filter(|n| is_moderate(*n)).map(|n| {
-                    let (n, fraction) = match depth {
-                        ClipDepth::ZeroToOne => (n, fraction),
-                        ClipDepth::MinusOneToOne => (n + (1 << fraction), fraction + 1),
-                    };
-                    let code = (codes[0] << fraction) + n * (codes[1] - codes[0]);
-                    beyond(vertex.snap.shift_right(code, fraction).0, codes)
-                })
-            }
-            _ => {
-                let (near, far) = (f32::from(near), f32::from(far));
-                let (scale, offset) = match depth {
-                    ClipDepth::ZeroToOne => (far - near, near),
-                    ClipDepth::MinusOneToOne => ((far - near) / 2.0, (far + near) / 2.0),
-                };
-                let window = self.sum(value, scale, offset);
-                let window = match clamp {
-                    DepthClamp::Vertex => window.max(near.min(far)).min(near.max(far)),
-                    DepthClamp::None => window,
-                };
-                unorm(window, maximum, vertex.snap)
-            }
-        };
-        match moderate {
-            Some(code) => place.within(code, ends),
-            None => vertex.snap(place, endless(value).into(), 0, ends),
+        let window = self.sum(value, scale, offset);
+        match clamp {
+            // What is not a number is not between two of them.
+            DepthClamp::Vertex if !window.is_nan() => window.clamp(near.min(far), near.max(far)),
+            _ => window,
         }
     }
 
@@ -146,10 +162,11 @@ impl Viewport {
     }
 }
 
-/// Whether a divided coordinate stays within exact 128-bit arithmetic: 2^80 leaves room for a product with a
-/// side of 2^17 and a depth range of 2^32.
+/// The largest divided coordinate within exact 128-bit arithmetic: it leaves room for a product with a depth of 2^64.
+const MODERATE: i128 = 1 << 60;
+
 const fn is_moderate(value: i128) -> bool {
-    value.unsigned_abs() <= 1 << 80
+    value.unsigned_abs() <= MODERATE.unsigned_abs()
 }
 
 /// What a number without a place stands for: its infinity, or NaN.

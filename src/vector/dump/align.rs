@@ -7,7 +7,7 @@ const MOST: usize = 1 << 22;
 /// in order; between them, rows that differ are taken one by one.
 pub(super) fn aligned(
     count: usize,
-    theirs: Vec<usize>,
+    theirs: &[usize],
     agrees: impl Fn(usize, usize) -> bool,
 ) -> (Vec<Option<usize>>, Vec<usize>) {
     let pairs = count.min(theirs.len());
@@ -101,8 +101,8 @@ mod tests {
     /// What is missing and too much, of letters.
     fn lined_up(want: &str, got: &str) -> (usize, usize, usize) {
         let (want, got): (Vec<char>, Vec<char>) = (want.chars().collect(), got.chars().collect());
-        let rows = (0..got.len()).collect();
-        let (found, extra) = aligned(want.len(), rows, |n, row| want[n] == got[row]);
+        let rows: Vec<usize> = (0..got.len()).collect();
+        let (found, extra) = aligned(want.len(), &rows, |n, row| want[n] == got[row]);
         assert_eq!(found.len(), want.len());
         // Each row is used once.
         let mut used: Vec<usize> = found.iter().flatten().chain(&extra).copied().collect();

@@ -144,7 +144,7 @@ pub(super) fn matched(
 ) -> (Vec<Option<usize>>, Vec<usize>) {
     let key = subject.key_bytes();
     if subject.key() == 0 {
-        return align::aligned(rows.len(), theirs, |n, row| dump.agrees(row, rows[n]));
+        return align::aligned(rows.len(), &theirs, |n, row| dump.agrees(row, rows[n]));
     }
     let found = rows.iter().map(|words| {
         let same_key = |row: &usize| dump.row(*row)[..key] == words[..key];

@@ -74,7 +74,11 @@ impl EngineForm for SlopeConfig {
 
     fn neighbours(&self) -> Vec<Step<EngineConfig>> {
         let mut steps = Steps::of(self, EngineConfig::from);
-        for bias in near_or_none(self.pixel_bias) {
+        // Of one pixel: floor, round half up, ceiling.
+        let (SlopeEdges::Divided { fraction, .. } | SlopeEdges::Given { fraction, .. }) =
+            self.edges;
+        let roundings = [0, 1u32 << fraction >> 1, (1u32 << fraction) - 1];
+        for bias in near_or_none(self.pixel_bias).chain(roundings) {
             steps.add("pixel-bias", &bias, &self.pixel_bias, |slopes| slopes.pixel_bias = bias);
         }
         if self.clip.is_some() {
