@@ -6,7 +6,7 @@ use super::output::Output;
 use super::{sets, wave};
 use guardbit::format::Column;
 use guardbit::profile::{self, Profile};
-use guardbit::vector::bench::{Bench, Source};
+use guardbit::vector::bench::{Bench, Source, locate};
 use guardbit::vector::emit;
 use guardbit::vector::plan::{find_test, test_id};
 use std::path::PathBuf;
@@ -20,9 +20,10 @@ pub(crate) struct Arguments {
     /// The profile: a built-in name or a TOML file.
     #[arg(default_value = "sgi-4k")]
     profile: String,
-    /// The id of the test, as for `vectors --only`.
-    #[arg(long, value_name = "ID", default_value = "dda/guard-boundary/0")]
-    test: String,
+    /// The id of the test, as for `vectors --only`. Without it, dda/guard-boundary/0, or the first test of a
+    /// profile that has no such test.
+    #[arg(long, value_name = "ID")]
+    test: Option<String>,
     /// The scene of the tests that draw a scene: a built-in name, a mesh, or a JSON Lines file.
     #[arg(long, default_value = "knot")]
     scene: String,
@@ -40,6 +41,9 @@ pub(crate) struct Arguments {
     fst: Option<PathBuf>,
 }
 
+/// A test in which an accumulator meets its ends.
+const DEFAULT: &str = "dda/guard-boundary/0";
+
 pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let profile = profile::load(&arguments.profile)?;
     let snapped = sets::snap_scene(&profile, &arguments.scene)?;
@@ -47,14 +51,16 @@ pub(crate) fn run(arguments: &Arguments) -> Result<Outcome, Failure> {
     let (seed, count) = (arguments.seed, arguments.count);
     let source = Source { profile, scene: Arc::new(snapped.shapes()), values, seed, count };
     let benches = source.benches();
-    let found =
-        benches.iter().find_map(|bench| Some((bench, find_test(&**bench, &arguments.test)?)));
+    let named = arguments.test.as_deref().unwrap_or(DEFAULT);
+    let found = benches.iter().find_map(|bench| Some((bench, find_test(&**bench, named)?)));
+    let first = || benches.iter().find_map(|bench| Some((bench, locate(bench.groups(), 0)?)));
+    let found = found.or_else(|| arguments.test.is_none().then(first)?);
     let Some((bench, at)) = found else {
         let hint = format!(
             "the id of a test is BENCH/CLASS/INDEX; `guardbit vectors {} --only none` lists the classes",
             arguments.profile
         );
-        return Err(Failure::input(format!("no test {:?}", arguments.test)).hint(&hint));
+        return Err(Failure::input(format!("no test {named:?}")).hint(&hint));
     };
     let files = emit::test_rows(&**bench, at);
     let mut output = Output::new();

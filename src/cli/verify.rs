@@ -256,7 +256,9 @@ fn describe(report: &DumpReport, output: &mut Output) -> Result<(), Failure> {
         // Another dump of the same bench has the diagnosis.
         return Ok(());
     }
-    output.line(format!("placed: {}, columns {}", modules.join(" or "), columns.join(" ")))?;
+    let modules = modules.iter().map(|module| module.as_str()).collect::<Vec<_>>().join(" or ");
+    let comma = if modules.is_empty() { "" } else { ", " };
+    output.line(format!("placed: {modules}{comma}columns {}", columns.join(" ")))?;
     if observed.trivial {
         return output.line("cause unknown: what differs is the same in every row, which tells nothing of its cause");
     }

@@ -549,3 +549,50 @@ fn a_record_too_much_or_too_little_is_one_mismatch() {
     turned.swap(*swapped, swapped + 1);
     assert_eq!(golden.compare(name, &(turned.join("\n") + "\n")).unwrap().total, 2);
 }
+
+/// Clause N-14: a device that only draws too many pixels, or the same ones in another order, has a place and a cause.
+#[test]
+fn a_register_device_with_rows_too_many_is_diagnosed() {
+    for (name, from, to, cause) in [
+        ("psp", "rule = \"truncated-side\"", "rule = \"both\"", "rule is both"),
+        ("rasterix", "order = \"zigzag\"", "order = \"serpentine\"", "order is serpentine"),
+    ] {
+        let golden = Golden::named(name, 700);
+        let text = profile(name).to_toml();
+        assert!(text.contains(from), "{text}");
+        let changed = guardbit::profile::parse(&text.replace(from, to), "changed.toml").unwrap();
+        let model = guardbit::model::Model::new(&changed).unwrap();
+        let registers = model.registers().unwrap();
+        let mut dump = String::new();
+        for row in golden.set.text("words.cfg.tv").lines() {
+            let mut words = row.split('_').map(|word| u32::from_str_radix(word, 16).unwrap());
+            let test = words.next().unwrap();
+            let words: Vec<u32> = words.collect();
+            let mut seen = Seen(Vec::new());
+            model.draw(words.as_slice(), &mut seen).unwrap();
+            for values in seen.0 {
+                let mut record = String::new();
+                registers.push_record(0, &values, " ", &mut record);
+                dump += &format!("{test:x} {}\n", record.split_once(' ').unwrap().1);
+            }
+        }
+        let report = golden.compare("words-p.exp.dut.tv", &dump).unwrap();
+        assert!(report.total > 0 && !report.placed.columns.is_empty(), "{name}");
+        assert!(report.causes.iter().any(|found| found.contains(cause)), "{:?}", report.causes);
+    }
+}
+
+/// Records of one kind, kept.
+struct Seen(Vec<Vec<i64>>);
+
+impl guardbit::machine::Sink for Seen {
+    fn span(&mut self, _: u32, _: u32, _: u32, _: &[u64]) {}
+
+    fn wants_records(&self) -> bool {
+        true
+    }
+
+    fn record(&mut self, _: usize, values: &[i64]) {
+        self.0.push(values.to_vec());
+    }
+}

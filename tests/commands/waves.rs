@@ -103,6 +103,8 @@ fn waves_hold_the_rows_of_the_test() {
         assert!(ran.out.starts_with(&format!("{test}: triangle (")), "{}", ran.out);
     }
     run_in(home.path(), "trace tiny --test none").complains(2, &["no test \"none\""]);
+    // Without a test, the first one of a profile that has no walk.
+    assert!(run_in(home.path(), "trace ps1").ends(0).out.starts_with("words/"));
     for wave in ["--vcd none/a", "--fst none/a"] {
         run_in(home.path(), &format!("trace tiny --scene fan {wave}")).complains(3, &["none/a"]);
     }

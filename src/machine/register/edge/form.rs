@@ -224,6 +224,22 @@ fn value_steps(steps: &mut Found<'_>, was: ValueSource) {
                 steps.add("values.fraction", &got, &fraction.unwrap_or(0), set(to));
             }
             steps.add("values.half", &!half, &half, set(planes(divide, start, fraction, !half)));
+            let words = |width, product| ValueSource::Planes {
+                divide,
+                start,
+                fraction,
+                width,
+                product,
+                half,
+            };
+            for got in product.into_iter().flat_map(near) {
+                let was = product.unwrap_or_default();
+                steps.add("values.product", &got, &was, set(words(width, Some(got))));
+            }
+            for got in width.into_iter().flat_map(near) {
+                let was = width.unwrap_or_default();
+                steps.add("values.width", &got, &was, set(words(Some(got), product)));
+            }
         }
         ValueSource::Weights { divide, fraction, product_cut, product } => {
             let weights = |divide, fraction, product_cut| ValueSource::Weights {

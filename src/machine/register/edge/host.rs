@@ -68,15 +68,18 @@ impl EdgeFunctions {
         }
     }
 
-    /// The box, or what it is cut to: the target.
+    /// The box, or what it is cut to: the target. An end that its register does not hold is the largest that it
+    /// holds.
     fn host_limit(&self, bounds: [i64; 4], put: Put<'_>) {
+        let held = |gather: &Gather, end: i64| i128::from(end).min((1 << gather.bits()) - 1);
         let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
         match &self.wires.limit {
             LimitWires::None | LimitWires::Size(_) => {}
             LimitWires::Size2 { size, exponents } => {
                 for (gather, (_, end)) in size.iter().zip(ends) {
                     let log2 = || end.next_power_of_two().ilog2();
-                    put(gather, if *exponents { log2() } else { end }.into());
+                    let end = if *exponents { log2() } else { end };
+                    put(gather, held(gather, end.into()));
                 }
             }
             LimitWires::Rectangle(wires, kind) => {
@@ -85,7 +88,7 @@ impl EdgeFunctions {
                 let [x0, y0, x1, y1] = if given { bounds } else { target };
                 let past = i64::from(*kind == BoxEnds::Closed);
                 let ends = [x0, y0, x1 - past, y1 - past];
-                wires.iter().zip(ends).for_each(|(gather, end)| put(gather, end.into()));
+                wires.iter().zip(ends).for_each(|(gather, end)| put(gather, held(gather, end)));
             }
         }
     }

@@ -77,8 +77,13 @@ impl EngineForm for SlopeConfig {
         // Of one pixel: floor, round half up, ceiling.
         let (SlopeEdges::Divided { fraction, .. } | SlopeEdges::Given { fraction, .. }) =
             self.edges;
-        let roundings = [0, 1u32 << fraction >> 1, (1u32 << fraction) - 1];
-        for bias in near_or_none(self.pixel_bias).chain(roundings) {
+        let mut biases: Vec<u32> = near_or_none(self.pixel_bias).collect();
+        for rounding in [0, 1 << fraction >> 1, (1 << fraction) - 1] {
+            if !biases.contains(&rounding) {
+                biases.push(rounding);
+            }
+        }
+        for bias in biases {
             steps.add("pixel-bias", &bias, &self.pixel_bias, |slopes| slopes.pixel_bias = bias);
         }
         if self.clip.is_some() {
