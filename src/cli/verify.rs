@@ -256,7 +256,7 @@ fn describe(report: &DumpReport, output: &mut Output) -> Result<(), Failure> {
         // Another dump of the same bench has the diagnosis.
         return Ok(());
     }
-    let modules = modules.iter().map(|module| module.as_str()).collect::<Vec<_>>().join(" or ");
+    let modules = modules.join(" or ");
     let comma = if modules.is_empty() { "" } else { ", " };
     output.line(format!("placed: {modules}{comma}columns {}", columns.join(" ")))?;
     if observed.trivial {

@@ -21,6 +21,7 @@ use guardbit::vector::plan::Shard;
 use guardbit::vector::table::RowFormat;
 use guardbit::vector::write::SetRequest;
 use set::{Set, options, profile, request, tree, write_set};
+use std::fmt::Write as _;
 use std::path::PathBuf;
 use tempfile::TempDir;
 
@@ -573,7 +574,8 @@ fn a_register_device_with_rows_too_many_is_diagnosed() {
             for values in seen.0 {
                 let mut record = String::new();
                 registers.push_record(0, &values, " ", &mut record);
-                dump += &format!("{test:x} {}\n", record.split_once(' ').unwrap().1);
+                let (_, words) = record.split_once(' ').unwrap();
+                writeln!(dump, "{test:x} {words}").unwrap();
             }
         }
         let report = golden.compare("words-p.exp.dut.tv", &dump).unwrap();

@@ -252,3 +252,25 @@ fn the_middle_of_clip_space_is_the_middle_of_the_window() {
     let triangle = model.position(&positions).unwrap();
     assert_eq!(triangle.xy, [[64, 64], [128, 0], [32, 128]]);
 }
+
+/// Clause FP-9: under a clamp a depth without end is that of a plane; what is not a number is refused all the same.
+#[test]
+fn a_depth_without_end_is_clamped_to_a_plane() {
+    for transform in
+        ["\"separate\"", "\"fused\"", "{ fixed = { fraction = 40, rounding = \"floor\" } }"]
+    {
+        let text = format!("clamp = \"vertex\"\ntransform = {transform}\nnear = 1.0\nfar = 0.25\n");
+        let model = Model::new(&profile(&text)).unwrap();
+        let z = |z: f32| {
+            let at = |z| [0.0, 0.0, z, 1.0];
+            let triangle = model.position(&Positioned([at(z), at(0.0), at(1.0)]));
+            triangle.map(|triangle| triangle.z.unwrap()).map_err(|error| error.to_string())
+        };
+        // A quarter of 2^20 - 1, to nearest.
+        let far = 262_144;
+        assert_eq!(z(f32::INFINITY), Ok([far, 1_048_575, far]), "{transform}");
+        assert_eq!(z(f32::NEG_INFINITY), Ok([1_048_575, 1_048_575, far]), "{transform}");
+        assert_eq!(z(3e38).unwrap()[0], far, "{transform}");
+        assert!(z(f32::NAN).unwrap_err().contains("position[0][2] is NaN"), "{transform}");
+    }
+}
