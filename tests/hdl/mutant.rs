@@ -1,6 +1,6 @@
 //! Defects of the devices, one at a time: each is caught by the benches of the default sets, and
 //! `verify --dut` names its cause. `GUARDBIT_MUTANT=edge` looks at those with that in their id only,
-//! `GUARDBIT_PART=2/3` at every third of them, from the second on.
+//! `GUARDBIT_PART=2/6` at every sixth of them, from the second on.
 
 // Clause J-5.
 use crate::run::run_in;
@@ -181,7 +181,7 @@ fn part() -> [usize; 2] {
     let numbers: Vec<usize> = text.split('/').filter_map(|number| number.parse().ok()).collect();
     match numbers[..] {
         [part, parts] if 1 <= part && part <= parts => [part, parts],
-        _ => panic!("GUARDBIT_PART={text}: a part is 1/3, 2/3 or 3/3"),
+        _ => panic!("GUARDBIT_PART={text}: a part is N/M with 1 <= N <= M, such as 2/6"),
     }
 }
 
