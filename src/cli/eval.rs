@@ -42,8 +42,8 @@ const STEPS: u64 = 16;
 /// With channels, "channels": {"color": [[r,g,b], ...], ...} has their values in the order of "z".
 /// If the profile has several samples in each pixel, "masks" has one mask for each pixel.
 /// For "words", the output is {"id": 7, "out": [["P", ...], ...]}: one list for each record, in the order
-/// in which the hardware draws; "masked": [...] names the words with bits outside all fields, and "illegal": [...] the conditions of the
-/// profile that the words break.
+/// in which the hardware draws; "masked": [...] names the words with bits outside all fields, and "illegal":
+/// [...] the conditions of the profile that the words break.
 ///
 /// A bad line gives {"id": ..., "error": "..."}; the next lines are processed, and the exit status is 2.
 #[derive(Debug, clap::Args)]
@@ -219,9 +219,10 @@ fn reply_records(
     if !masked.is_empty() {
         let _ = write!(answer, ", \"masked\": [\"{}\"]", masked.join("\", \""));
     }
-    let illegal: Vec<&str> = registers.illegal(words).map(Legal::text).collect();
+    let quoted = |legal: &Legal| serde_json::Value::from(legal.text()).to_string();
+    let illegal: Vec<String> = registers.illegal(words).map(quoted).collect();
     if !illegal.is_empty() {
-        let _ = write!(answer, ", \"illegal\": [\"{}\"]", illegal.join("\", \""));
+        let _ = write!(answer, ", \"illegal\": [{}]", illegal.join(", "));
     }
     answer.push('}');
     Ok(())

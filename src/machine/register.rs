@@ -66,6 +66,11 @@ pub struct RegisterConfig {
     pub engine: EngineConfig,
 }
 
+/// Whether a profile need not say it.
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
+}
+
 /// One kind of record.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "verification", derive(JsonSchema))]
@@ -187,7 +192,7 @@ impl RegisterConfig {
             }
         }
         let inputs = Inputs::new(&input);
-        let (engine, made): Built = self.engine.form().build(&inputs, channels, vertex, target)?;
+        let (engine, made): Built = self.engine.engine(&inputs, &channels, vertex, target)?;
         inputs.all_known(self.engine.name())?;
         if made.len() != self.records.len() {
             let (need, got) = (made.len(), self.records.len());
@@ -230,7 +235,8 @@ impl RegisterMachine {
 
     /// Refuses words that take too many steps.
     fn allow(&self, words: &[u32], out: &dyn Sink) -> Result<(), DrawError> {
-        let (steps, most) = (self.engine.work(words), out.most_steps());
+        let most = out.most_steps();
+        let steps = self.engine.work(words, most);
         if steps > u128::from(most) { Err(DrawError::Work { steps, most }) } else { Ok(()) }
     }
 

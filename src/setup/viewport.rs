@@ -121,7 +121,7 @@ pub struct ViewportConfig {
     pub height: Option<u32>,
     /// Where y of clip space points.
     #[serde(default)]
-    pub up: VerticalAxis,
+    pub y_axis: VerticalAxis,
     /// The depth of clip space.
     #[serde(default)]
     pub depth: ClipDepth,
@@ -247,7 +247,7 @@ impl ViewportConfig {
             return Err(ViewportError::Fraction(fraction));
         }
         let [width, height] = size.map(i64::from);
-        let turn = if self.up == VerticalAxis::Up { -1 } else { 1 };
+        let turn = if self.y_axis == VerticalAxis::Up { -1 } else { 1 };
         let centre2 = [2 * i64::from(self.x) + width, 2 * i64::from(self.y) + height];
         Ok(Viewport { config: *self, size: [width, turn * height], centre2 })
     }

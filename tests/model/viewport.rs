@@ -51,7 +51,7 @@ fn twin(config: &ViewportConfig, [x, y, z, w]: [f32; 4]) -> [i128; 3] {
         DivisionByW::Reciprocal => nearest(&(exact(value) * exact(divide(1.0, w)))),
     });
     let [width, height] = [config.width.unwrap(), config.height.unwrap()].map(i128::from);
-    let turned = if config.up == VerticalAxis::Up { -height } else { height };
+    let turned = if config.y_axis == VerticalAxis::Up { -height } else { height };
     let half = |twice: i128| ratio(twice, 2).unwrap();
     let sides = [
         (half(width), half(2 * i128::from(config.x) + width)),
@@ -129,7 +129,7 @@ fn positions_reach_the_window_as_exact_steps_do() {
         ] {
             for (up, clamp) in [("up", "none"), ("down", "vertex")] {
                 let profile = profile(&format!(
-                    "transform = {transform}\ndivision = \"{division}\"\ndepth = \"{depth}\"\nup = \"{up}\"\n\
+                    "transform = {transform}\ndivision = \"{division}\"\ndepth = \"{depth}\"\ny-axis = \"{up}\"\n\
                      clamp = \"{clamp}\"\nnear = 0.9\nfar = 0.1\n"
                 ));
                 assert_eq!(parse(&profile.to_toml()).unwrap(), profile);

@@ -2,7 +2,7 @@
 
 mod form;
 
-use super::host::attributes;
+use super::host::{attributes, target_ends};
 use super::input::{Inputs, RegisterError};
 use super::{Built, Engine};
 use crate::bits::Rounding;
@@ -124,7 +124,7 @@ impl AnchoredConfig {
     pub(super) fn engine(
         &self,
         inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
+        channels: &[Channel],
         vertex: &VertexConfig,
         target: Target,
     ) -> Result<Built, RegisterError> {
@@ -137,7 +137,7 @@ impl AnchoredConfig {
         }
         // A slope is a cross product of coordinates and values, over another.
         let bits = vertex.difference_bits();
-        for channel in &channels {
+        for channel in channels {
             let need = bits + channel.read.integer() + channel.read.fraction() + 2;
             if need > 62 {
                 let name = &channel.name;
@@ -161,7 +161,15 @@ impl AnchoredConfig {
         let mut names = vec!["x".to_owned(), "y".to_owned()];
         names.extend(channels.iter().map(|channel| channel.name.clone()));
         let (config, signed) = (*self, vertex.signed);
-        let engine = Anchored { config, signed, vertices, values, clip, channels, target };
+        let engine = Anchored {
+            config,
+            signed,
+            vertices,
+            values,
+            clip,
+            channels: channels.to_vec(),
+            target,
+        };
         Ok((Box::new(engine), vec![names]))
     }
 }
@@ -283,7 +291,7 @@ impl Engine for Anchored {
     }
 
     /// The pixels of the clipped box.
-    fn work(&self, words: &[u32]) -> u128 {
+    fn work(&self, words: &[u32], _: u64) -> u128 {
         let v = self.corners(words);
         let [left, top, right, bottom] = self.clip.each_ref().map(|end| end.unsigned(words));
         let side = |axis: usize, low: u64, high: u64| {
@@ -307,11 +315,9 @@ impl Engine for Anchored {
                 gather.scatter(value, &mut words);
             }
         }
-        let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
-        let closed =
-            [ends[0].0, ends[1].0, ends[0].1.saturating_sub(1), ends[1].1.saturating_sub(1)];
-        for (gather, value) in self.clip.iter().zip(closed) {
-            gather.scatter(i128::from(value), &mut words);
+        let ends = target_ends(&self.target, true, self.clip.each_ref());
+        for (gather, end) in self.clip.iter().zip(ends) {
+            gather.scatter(end, &mut words);
         }
         vec![words]
     }

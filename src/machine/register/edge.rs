@@ -20,6 +20,7 @@ pub use part::{
 };
 pub use value::{Division, PlaneStart, ValueSource};
 
+use super::is_default;
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,8 +54,3 @@ pub struct EdgeEngineConfig {
 }
 
 const NAME: &str = "edge-functions";
-
-/// Whether a profile need not say it.
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
-}

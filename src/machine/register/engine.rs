@@ -14,11 +14,9 @@ pub(super) trait Engine: Send + Sync + std::fmt::Debug {
     /// Draws what the words say; `emit` takes the kind of a record and its values.
     fn run(&self, words: &[u32], emit: &mut dyn FnMut(usize, &[i64]));
 
-    /// The most steps that these words take, found without drawing; 0 for an engine that states none.
-    /// Spec clause `RG-23`.
-    fn work(&self, _: &[u32]) -> u128 {
-        0
-    }
+    /// The most steps that these words take, found without drawing; more may be said of words that take no more
+    /// than `most`. Spec clause `RG-23`.
+    fn work(&self, words: &[u32], most: u64) -> u128;
 
     /// The words that a host would write for a triangle, one list or more, each of `count` words.
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>>;
@@ -41,15 +39,6 @@ pub(super) struct ClipNames {
 pub(super) trait EngineForm {
     /// The name profiles use.
     fn name(&self) -> &'static str;
-
-    /// The engine, if it goes with registers, channels and vertices.
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError>;
 
     /// The registers of its clip rectangle, if it has one.
     fn clip(&self) -> Option<ClipNames>;
@@ -84,6 +73,19 @@ macro_rules! engines {
             pub(super) fn form(&self) -> &dyn EngineForm {
                 match self {
                     $(Self::$variant(config) => config,)*
+                }
+            }
+
+            /// The engine, if it goes with registers, channels and vertices.
+            pub(super) fn engine(
+                &self,
+                inputs: &Inputs<'_>,
+                channels: &[Channel],
+                vertex: &VertexConfig,
+                target: Target,
+            ) -> Result<Built, RegisterError> {
+                match self {
+                    $(Self::$variant(config) => config.engine(inputs, channels, vertex, target),)*
                 }
             }
 

@@ -1,6 +1,8 @@
 //! What a host would write: attributes over a triangle that every machine can be compared by, and their
 //! gradients. Spec clause `RG-4`.
 
+use crate::format::Gather;
+use crate::machine::Target;
 use crate::setup::Triangle;
 use crate::value::Channel;
 
@@ -19,6 +21,20 @@ pub(super) fn attributes(channel: &Channel, index: usize) -> [i128; 3] {
         0..=2 => 0,
         _ => top * [1, 3, 2][(index + vertex) % 3] / 4,
     })
+}
+
+/// Left, top, right and bottom of a target, as the registers of a rectangle hold them: its last pixels if it is
+/// `closed`, and those past them otherwise. An end that its register does not hold is the largest that it holds.
+pub(super) fn target_ends(target: &Target, closed: bool, registers: [&Gather; 4]) -> [i128; 4] {
+    let [x, y] = [0, 1].map(|axis| target.clip.clip(axis, (0, i128::MAX >> 1)));
+    let past = u32::from(closed);
+    let ends = [x.0, y.0, x.1.saturating_sub(past), y.1.saturating_sub(past)];
+    std::array::from_fn(|n| held(registers[n], ends[n].into()))
+}
+
+/// A number without a sign as its register holds it, at most the largest that it holds.
+pub(super) fn held(register: &Gather, value: i128) -> i128 {
+    value.min((1 << register.bits()) - 1)
 }
 
 /// Gradient of an attribute as numerators over one denominator, which is positive; `None` without area.

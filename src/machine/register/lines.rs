@@ -9,7 +9,9 @@ mod form;
 pub use fan::FanConfig;
 pub use fill::{FillConfig, MiddleRow, SpanEnd};
 
+use super::host::target_ends;
 use super::input::{Inputs, RegisterError};
+use super::is_default;
 use super::slope::ClipEnds;
 use super::{Built, Engine};
 use crate::bits::bounded;
@@ -122,10 +124,6 @@ pub struct LinesConfig {
     pub stepper: Stepper,
 }
 
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
-}
-
 const NAME: &str = "lines";
 const CLIP: [&str; 4] = ["left", "top", "right", "bottom"];
 
@@ -190,7 +188,7 @@ impl LinesConfig {
         }
     }
 
-    fn engine(
+    pub(super) fn engine(
         &self,
         inputs: &Inputs<'_>,
         channels: &[Channel],
@@ -306,7 +304,7 @@ impl Engine for Lines {
         }
     }
 
-    fn work(&self, words: &[u32]) -> u128 {
+    fn work(&self, words: &[u32], _: u64) -> u128 {
         let length = |a: Pixel, b: Pixel| Measures::of([a, b], 0).length() + 1;
         let corners = self.corners(words);
         let side = |axis: usize| {
@@ -334,18 +332,16 @@ impl Engine for Lines {
             LineDraws::Fill(_) => vec![vec![a, b, c]],
             LineDraws::Fan(fan) => vec![fan.corners([a, b, c])],
         };
-        let past = u32::from(self.config.clip == Some(ClipEnds::Closed));
-        let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
-        let clip =
-            [ends[0].0, ends[1].0, ends[0].1.saturating_sub(past), ends[1].1.saturating_sub(past)];
+        let closed = self.config.clip == Some(ClipEnds::Closed);
         let write = |corners: Vec<Pixel>| {
             let mut words = vec![0; count];
             for (gather, value) in self.vertices.iter().flatten().zip(corners.into_iter().flatten())
             {
                 gather.scatter(value, &mut words);
             }
-            for (gather, end) in self.clip.iter().flatten().zip(clip) {
-                gather.scatter(end.into(), &mut words);
+            if let Some(clip) = &self.clip {
+                let ends = target_ends(&self.target, closed, clip.each_ref());
+                clip.iter().zip(ends).for_each(|(gather, end)| gather.scatter(end, &mut words));
             }
             words
         };

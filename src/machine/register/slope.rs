@@ -9,6 +9,7 @@ mod row;
 pub use edge::{RowCounts, RowOrder};
 
 use super::input::{ChannelInput, Inputs, RegisterError};
+use super::is_default;
 use super::{Built, Engine};
 use crate::format::Gather;
 use crate::machine::Target;
@@ -41,10 +42,6 @@ pub enum SlopeEdges {
         #[serde(default, skip_serializing_if = "is_default")]
         counts: RowCounts,
     },
-}
-
-fn is_default<T: Default + PartialEq>(value: &T) -> bool {
-    *value == T::default()
 }
 
 /// Where channels start.
@@ -141,18 +138,18 @@ impl SlopeConfig {
     pub(super) fn engine(
         &self,
         inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
+        channels: &[Channel],
         vertex: &VertexConfig,
         target: Target,
     ) -> Result<Built, RegisterError> {
         let edges = EdgeInput::new(self, inputs, vertex)?;
         let channels = channels
-            .into_iter()
+            .iter()
             .map(|channel| {
                 let [start, along, down] =
                     ["", "_dx", "_dy"].map(|end| format!("{}{end}", channel.name));
                 let [start, along, down] = inputs.all(NAME, [start.as_str(), &along, &down])?;
-                Ok((channel, ChannelInput { start, along, down }))
+                Ok((channel.clone(), ChannelInput { start, along, down }))
             })
             .collect::<Result<Vec<_>, RegisterError>>()?;
         let depth = self.depth.as_ref().map(|choice| {
@@ -332,8 +329,8 @@ impl Engine for Slopes {
         });
     }
 
-    fn work(&self, words: &[u32]) -> u128 {
-        self.steps(words)
+    fn work(&self, words: &[u32], most: u64) -> u128 {
+        self.steps(words, most)
     }
 
     fn host(&self, triangle: &Triangle, count: usize) -> Vec<Vec<u32>> {

@@ -86,7 +86,7 @@ impl SubScanlineConfig {
     pub(super) fn engine(
         &self,
         inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
+        channels: &[Channel],
         vertex: &VertexConfig,
         target: Target,
     ) -> Result<Built, RegisterError> {
@@ -136,7 +136,7 @@ impl SubScanlineConfig {
             sign: inputs.may("long_sign"),
             scissor: inputs.all(NAME, ["scissor_xh", "scissor_yh", "scissor_xl", "scissor_yl"])?,
             values,
-            channels,
+            channels: channels.to_vec(),
             depth,
             target,
         };
@@ -263,7 +263,7 @@ impl Engine for SubScanlines {
     }
 
     /// Sub-scanlines; a row is no wider than a clamped x.
-    fn work(&self, words: &[u32]) -> u128 {
+    fn work(&self, words: &[u32], _: u64) -> u128 {
         let [y_low, _, y_high] = self.y.each_ref().map(|gather| gather.signed(words));
         let bottom = self.scissor[3].unsigned(words).cast_signed();
         let (first, last) = sub_scanlines(y_high, y_low.min(bottom)).into_inner();

@@ -83,7 +83,8 @@ fn within(xy: &[[i128; 2]; 3], at: [i128; 2], inward: i128) -> bool {
 /// A change of a built-in profile, and the reason why it is refused; none if it is taken.
 type Case = (&'static str, &'static str, &'static str, &'static str);
 
-fn refused(cases: &[Case]) {
+/// Each case is refused for its reason, at a place of the file, or taken.
+pub(super) fn refused(cases: &[Case]) {
     for &(name, from, to, reason) in cases {
         let text = BUILTIN.iter().find(|(known, _)| *known == name).unwrap().1;
         assert!(text.contains(from), "{name}: {from}");

@@ -2,28 +2,14 @@
 
 use super::{Anchor, AnchoredConfig, HalfOrder, Largest, NAME, VertexSort};
 use crate::bits::Rounding;
-use crate::machine::register::engine::{Built, ClipNames, EngineForm};
-use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::register::engine::{ClipNames, EngineForm};
 use crate::machine::{
-    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredDevice, WiredEngine,
-    Word,
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, WiredDevice, WiredEngine, Word,
 };
-use crate::setup::VertexConfig;
-use crate::value::Channel;
 
 impl EngineForm for AnchoredConfig {
     fn name(&self) -> &'static str {
         NAME
-    }
-
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError> {
-        self.engine(inputs, channels, vertex, target)
     }
 
     fn clip(&self) -> Option<ClipNames> {

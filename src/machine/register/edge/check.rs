@@ -29,17 +29,17 @@ fn need(holds: bool, reason: impl FnOnce() -> String) -> Result<(), RegisterErro
 }
 
 impl EdgeEngineConfig {
-    pub(super) fn engine(
+    pub(in crate::machine::register) fn engine(
         &self,
         inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
+        channels: &[Channel],
         vertex: &VertexConfig,
         target: Target,
     ) -> Result<Built, RegisterError> {
         self.check_coverage(vertex)?;
         self.check_order()?;
-        self.check_channels(&channels)?;
-        let wires = self.wires(inputs, &channels)?;
+        self.check_channels(channels)?;
+        let wires = self.wires(inputs, channels)?;
         wires.check(vertex)?;
         if let Some(values) = self.values {
             for (channel, wires) in channels.iter().zip(&wires.values) {
@@ -49,7 +49,7 @@ impl EdgeEngineConfig {
         let own = OWN.map(str::to_owned).into_iter();
         let names = own.chain(channels.iter().map(|channel| channel.name.clone())).collect();
         let (config, signed) = (self.clone(), vertex.signed);
-        let engine = EdgeFunctions { config, wires, channels, target, signed };
+        let engine = EdgeFunctions { config, wires, channels: channels.to_vec(), target, signed };
         Ok((Box::new(engine), vec![names]))
     }
 

@@ -1,5 +1,6 @@
 //! Edge words and what is inside of them. Spec clauses `RE-1` to `RE-4`.
 
+use crate::cover::SampleGrid;
 use std::ops::Range;
 
 /// A number mod 2^width, as a signed number of at most 64 bits.
@@ -16,17 +17,13 @@ pub(super) struct Exact {
     pub(super) sign: i128,
     /// Places that products and their difference are cut by.
     pub(super) cuts: [u32; 2],
-    /// The sample of pixel (0, 0), and the bits of a sub-pixel.
-    pub(super) offset: [i128; 2],
-    pub(super) sub_pixel: u32,
+    pub(super) grid: SampleGrid,
 }
 
 impl Exact {
     /// The word at a pixel before it wraps. Clause `RE-1`.
     pub(super) fn at(&self, pixel: [i64; 2]) -> i128 {
-        let sample =
-            [0, 1].map(|axis| (i128::from(pixel[axis]) << self.sub_pixel) + self.offset[axis]);
-        self.at_sample(sample)
+        self.at_sample(self.grid.position(pixel[0].into(), pixel[1].into()))
     }
 
     /// The same at a place in sub-pixels.
@@ -40,7 +37,7 @@ impl Exact {
     pub(super) fn steps(&self) -> Option<[i128; 2]> {
         let places = self.cuts[0] + self.cuts[1];
         let step =
-            [-self.delta[1], self.delta[0]].map(|delta| (self.sign * delta) << self.sub_pixel);
+            [-self.delta[1], self.delta[0]].map(|delta| (self.sign * delta) << self.grid.sub_pixel);
         let whole = |step: &i128| step & ((1 << places) - 1) == 0;
         step.iter().all(whole).then(|| step.map(|step| step >> places))
     }

@@ -8,13 +8,10 @@ use super::value::{Division, PlaneStart, ValueSource};
 use super::wire::ENDS;
 use super::{EdgeEngineConfig, NAME};
 use crate::bits::Rounding;
-use crate::machine::register::engine::{Built, ClipNames, EngineForm};
-use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::register::engine::{ClipNames, EngineForm};
 use crate::machine::{
-    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, Word, near, near_or_none,
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Word, near, near_or_none,
 };
-use crate::setup::VertexConfig;
-use crate::value::Channel;
 
 /// The steps of this engine.
 type Found<'a> = Steps<'a, EdgeEngineConfig, EngineConfig>;
@@ -32,16 +29,6 @@ macro_rules! others {
 impl EngineForm for EdgeEngineConfig {
     fn name(&self) -> &'static str {
         NAME
-    }
-
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError> {
-        self.engine(inputs, channels, vertex, target)
     }
 
     fn clip(&self) -> Option<ClipNames> {

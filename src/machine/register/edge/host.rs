@@ -5,7 +5,7 @@ use super::setup::EdgeFunctions;
 use super::value::ValueSource;
 use super::wire::{EdgeWires, LimitWires};
 use crate::format::Gather;
-use crate::machine::register::host::{attributes, gradient};
+use crate::machine::register::host::{attributes, gradient, held, target_ends};
 use crate::setup::Triangle;
 
 /// Writes a value into its register.
@@ -68,27 +68,27 @@ impl EdgeFunctions {
         }
     }
 
-    /// The box, or what it is cut to: the target. An end that its register does not hold is the largest that it
-    /// holds.
+    /// The box, or what it is cut to: the target.
     fn host_limit(&self, bounds: [i64; 4], put: Put<'_>) {
-        let held = |gather: &Gather, end: i64| i128::from(end).min((1 << gather.bits()) - 1);
-        let ends = [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
         match &self.wires.limit {
             LimitWires::None | LimitWires::Size(_) => {}
             LimitWires::Size2 { size, exponents } => {
-                for (gather, (_, end)) in size.iter().zip(ends) {
-                    let log2 = || end.next_power_of_two().ilog2();
-                    let end = if *exponents { log2() } else { end };
+                for (axis, gather) in size.iter().enumerate() {
+                    let (_, end) = self.target.clip.clip(axis, (0, i128::MAX >> 1));
+                    let end = if *exponents { end.next_power_of_two().ilog2() } else { end };
                     put(gather, held(gather, end.into()));
                 }
             }
             LimitWires::Rectangle(wires, kind) => {
-                let target = [ends[0].0, ends[1].0, ends[0].1, ends[1].1].map(i64::from);
-                let given = matches!(self.config.r#box, EdgeBox::Given(_));
-                let [x0, y0, x1, y1] = if given { bounds } else { target };
-                let past = i64::from(*kind == BoxEnds::Closed);
-                let ends = [x0, y0, x1 - past, y1 - past];
-                wires.iter().zip(ends).for_each(|(gather, end)| put(gather, held(gather, end)));
+                let closed = *kind == BoxEnds::Closed;
+                let mut ends = target_ends(&self.target, closed, wires.each_ref());
+                if matches!(self.config.r#box, EdgeBox::Given(_)) {
+                    let past = i128::from(closed);
+                    let [x0, y0, x1, y1] = bounds.map(i128::from);
+                    let bounds = [x0, y0, x1 - past, y1 - past];
+                    ends = std::array::from_fn(|n| held(&wires[n], bounds[n]));
+                }
+                wires.iter().zip(ends).for_each(|(gather, end)| put(gather, end));
             }
         }
     }

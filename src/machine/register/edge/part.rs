@@ -1,6 +1,6 @@
 //! The parts of coverage as a profile names them. Spec clauses `RE-1` to `RE-6`.
 
-use super::is_default;
+use crate::machine::register::is_default;
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

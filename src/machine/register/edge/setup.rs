@@ -54,8 +54,7 @@ impl EdgeFunctions {
             delta: [0, 1].map(|axis| i128::from(q[axis]) - i128::from(p[axis])),
             sign: if sense == EdgeSense::Positive { 1 } else { -1 },
             cuts: [product_cut, cut],
-            offset: self.target.grid.offset,
-            sub_pixel: self.target.grid.sub_pixel,
+            grid: self.target.grid,
         }
     }
 
@@ -173,7 +172,7 @@ impl Engine for EdgeFunctions {
         });
     }
 
-    fn work(&self, words: &[u32]) -> u128 {
+    fn work(&self, words: &[u32], _: u64) -> u128 {
         let Some(Job { bounds: [x0, y0, x1, y1], .. }) = self.job(words) else { return 0 };
         // The tiles at both ends of a side can reach beyond it.
         let beyond = match self.config.order {

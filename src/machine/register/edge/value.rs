@@ -1,9 +1,9 @@
 //! Channels as a profile configures them: planes that are given, planes of vertex values, and weights. Spec
 //! clauses `RE-7` to `RE-9`.
 
-use super::is_default;
 use super::part::{Origin, choice};
 use crate::bits::Rounding;
+use crate::machine::register::is_default;
 #[cfg(feature = "verification")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

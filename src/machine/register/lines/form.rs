@@ -6,28 +6,15 @@ use super::{
     NAME, SpanEnd,
 };
 use crate::cover::Stepper;
-use crate::machine::register::engine::{Built, ClipNames, EngineForm};
-use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::register::engine::{ClipNames, EngineForm};
 use crate::machine::register::slope::ClipEnds;
-use crate::machine::{EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, Word};
-use crate::setup::VertexConfig;
-use crate::value::Channel;
+use crate::machine::{EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Word};
 
 type Lines<'a> = Steps<'a, LinesConfig, EngineConfig>;
 
 impl EngineForm for LinesConfig {
     fn name(&self) -> &'static str {
         NAME
-    }
-
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError> {
-        self.engine(inputs, &channels, vertex, target)
     }
 
     fn clip(&self) -> Option<ClipNames> {

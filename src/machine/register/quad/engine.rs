@@ -243,7 +243,7 @@ impl Engine for Quads {
     }
 
     /// The pixels of the range, or of the tile.
-    fn work(&self, words: &[u32]) -> u128 {
+    fn work(&self, words: &[u32], _: u64) -> u128 {
         let Some(job) = self.job(words) else { return 0 };
         let side = |axis: usize| (job.range[axis][1] - job.range[axis][0]).max(0).unsigned_abs();
         match self.config.descent {

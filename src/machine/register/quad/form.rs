@@ -2,28 +2,15 @@
 
 use super::{Descent, Emit, NAME, QuadConfig, QuadEdges, QuadRule};
 use crate::format::Layout;
-use crate::machine::register::engine::{Built, ClipNames, EngineForm};
-use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::register::engine::{ClipNames, EngineForm};
 use crate::machine::{
-    EngineConfig, QuadDevice, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredDevice,
+    EngineConfig, QuadDevice, RegisterConfig, RegisterDevice, Step, Steps, WiredDevice,
     WiredEngine, Word, near,
 };
-use crate::setup::VertexConfig;
-use crate::value::Channel;
 
 impl EngineForm for QuadConfig {
     fn name(&self) -> &'static str {
         NAME
-    }
-
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError> {
-        self.engine(inputs, &channels, vertex, target)
     }
 
     fn clip(&self) -> Option<ClipNames> {

@@ -1,28 +1,15 @@
 //! The engine `slopes` as a profile configures it.
 
 use super::{ClipEnds, NAME, Plane, RowCounts, RowOrder, SlopeConfig, SlopeEdges};
-use crate::machine::register::engine::{Built, ClipNames, EngineForm};
-use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::register::engine::{ClipNames, EngineForm};
 use crate::machine::{
-    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word, near,
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, WiredEngine, Word, near,
     near_or_none,
 };
-use crate::setup::VertexConfig;
-use crate::value::Channel;
 
 impl EngineForm for SlopeConfig {
     fn name(&self) -> &'static str {
         NAME
-    }
-
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError> {
-        self.engine(inputs, channels, vertex, target)
     }
 
     fn clip(&self) -> Option<ClipNames> {

@@ -6,7 +6,7 @@ use super::{ClipEnds, Plane, RowCounts, RowOrder, Slopes};
 use crate::bits::Rounding;
 use crate::cover::SampleGrid;
 use crate::format::Gather;
-use crate::machine::register::host::{attributes, gradient};
+use crate::machine::register::host::{attributes, gradient, target_ends};
 use crate::setup::Triangle;
 
 /// A place in sub-pixels: x as numerator and positive denominator, and y.
@@ -55,12 +55,11 @@ impl Slopes {
             origin = self.host_point(a, (x, y.as_ref()), origin.1, &mut put);
         }
         self.host_channels(triangle, (a, c), leftward, origin, &mut put);
-        let past = u32::from(self.config.clip == Some(ClipEnds::Closed));
-        let [(x0, x1), (y0, y1)] =
-            [0, 1].map(|axis| self.target.clip.clip(axis, (0, i128::MAX >> 1)));
-        let ends = [x0, x1.saturating_sub(past), y0, y1.saturating_sub(past)];
-        for (gather, end) in self.clip.iter().flatten().zip(ends) {
-            put(gather, i128::from(end));
+        if let Some([left, right, top, bottom]) = &self.clip {
+            let registers = [left, top, right, bottom];
+            let closed = self.config.clip == Some(ClipEnds::Closed);
+            let ends = target_ends(&self.target, closed, registers);
+            registers.into_iter().zip(ends).for_each(|(gather, end)| put(gather, end));
         }
         for flag in self.clips.iter().chain(&self.adjust) {
             put(flag, 1);

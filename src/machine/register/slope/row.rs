@@ -25,12 +25,18 @@ pub(super) struct Span {
 const MOST_ROWS: u64 = 1 << 28;
 
 impl Slopes {
-    /// Rows, and the pixels in them.
-    pub(super) fn steps(&self, words: &[u32]) -> u128 {
+    /// Rows, and the pixels in them; where the longest rows take no more than `most`, those.
+    pub(super) fn steps(&self, words: &[u32], most: u64) -> u128 {
         let walk = self.edges.walk(words, self.sub_pixel);
         let (window, mut steps) = (self.window(words), 0);
         if walk.count() > MOST_ROWS {
             return walk.count().into();
+        }
+        // As many pixels as x has, and the one at its end.
+        let longest = self.config.pixel_bits.unwrap_or(32 - self.edges.fraction);
+        let all = u128::from(walk.count()) * ((1 << longest) + 2);
+        if all <= u128::from(most) {
+            return all;
         }
         walk.rows(|_, _, start, end| {
             let span = self.span(&walk, [start, end], &window);

@@ -2,27 +2,15 @@
 
 use super::{MASK, NAME, Product, SubScanlineConfig};
 use crate::format::Layout;
-use crate::machine::register::engine::{Built, ClipNames, EngineForm};
-use crate::machine::register::input::{Inputs, RegisterError};
+use crate::machine::register::engine::{ClipNames, EngineForm};
 use crate::machine::{
-    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, Target, WiredEngine, Word,
+    EngineConfig, RegisterConfig, RegisterDevice, Step, Steps, WiredEngine, Word,
 };
-use crate::setup::VertexConfig;
-use crate::value::{Channel, ChannelConfig};
+use crate::value::ChannelConfig;
 
 impl EngineForm for SubScanlineConfig {
     fn name(&self) -> &'static str {
         NAME
-    }
-
-    fn build(
-        &self,
-        inputs: &Inputs<'_>,
-        channels: Vec<Channel>,
-        vertex: &VertexConfig,
-        target: Target,
-    ) -> Result<Built, RegisterError> {
-        self.engine(inputs, channels, vertex, target)
     }
 
     fn clip(&self) -> Option<ClipNames> {
